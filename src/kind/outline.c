@@ -2,7 +2,7 @@
  *
  * The nearest point c(u) to p is where (c - p) . c' = 0.  It is no farther than the point of the same x, or angle, so that it
  * lies within a window about that one: |u - x| <= |y(x) - p_y| of a profile, |u - phi| <= arcsin(|r(phi) - |p||/|p|) of a cam.
- * The nearest of some samples there begins Newton's iteration, kept between its neighbours. */
+ * The nearest of its samples there begins Newton's iteration, kept between its neighbours. */
 #include "kind/outline.h"
 
 #include <float.h>
@@ -76,24 +76,6 @@ static void bend_closed(double *m, double *z, const struct outline *o, double *a
     m[n] = m[0];
 }
 
-const struct outline *outline_make(const struct points *table, bool closed, struct arena *life)
-{
-    struct outline *o = TAKE(life, struct outline, 1);
-    const int n = table->n, room = n + 1;
-    double *x = TAKE(life, double, room), *y = TAKE(life, double, room), *m = TAKE(life, double, room),
-           *work = TAKE(life, double, 5 * room);
-    memcpy(x, table->x, (size_t)n * sizeof *x);
-    memcpy(y, table->y, (size_t)n * sizeof *y);
-    x[n] = x[0] + TURN;
-    y[n] = y[0];
-    *o = (struct outline){closed, n, x, y, m};
-    if (closed)
-        bend_closed(m, work, o, work + room, work + 2 * room, work + 3 * room, work + 4 * room);
-    else
-        bend_open(m, o, work, work + room, work + 2 * room);
-    return o;
-}
-
 /* The piece from the i-th point to the next that holds u. */
 static int piece(const struct outline *o, double u)
 {
@@ -148,11 +130,6 @@ void outline_point(const struct outline *o, double *c, double u)
     c[1] = s.c[1];
 }
 
-static double away(const struct spot *o, const double *p)
-{
-    return hypot(o->c[0] - p[0], o->c[1] - p[1]);
-}
-
 /* To the free side: on the left of growing x, on the right of growing angle. */
 static void normal_of(double *n, const struct spot *o, bool closed)
 {
@@ -160,6 +137,61 @@ static void normal_of(double *n, const struct spot *o, bool closed)
     n[0] = -side * o->d[1] / size;
     n[1] = side * o->d[0] / size;
 }
+
+/* ---- its samples ---- */
+
+/* Where the k-th is; those of a cam go on from turn to turn. */
+static double sample_u(const struct outline *o, int k)
+{
+    const int turn = o->closed ? (k >= 0 ? k : k - o->samples + 1) / o->samples : 0, of_turn = k - turn * o->samples,
+              i = of_turn / 2;
+    return turn * TURN + (of_turn % 2 ? o->x[i] + .5 * step_of(o, i) : o->x[i]);
+}
+
+static const double *sample_point(const struct outline *o, int k)
+{
+    const int of_turn = o->closed ? k % o->samples : k;
+    return o->sample + 2 * (of_turn < 0 ? of_turn + o->samples : of_turn);
+}
+
+/* The first one behind u. */
+static int sample_behind(const struct outline *o, double u)
+{
+    const double from = within(o, u);
+    int k = 2 * piece(o, from) + (o->closed ? o->samples * (int)round((u - from) / TURN) : 0);
+    while ((o->closed || k < o->samples) && sample_u(o, k) <= u) k++;
+    return k;
+}
+
+static void take_samples(struct outline *o, struct arena *life)
+{
+    const int samples = o->closed ? 2 * o->n : 2 * o->n - 1;
+    double *c = TAKE(life, double, 2 * samples);
+    o->samples = samples;
+    o->sample = c;
+    for (int k = 0; k < samples; k++) outline_point(o, c + 2 * k, sample_u(o, k));
+}
+
+const struct outline *outline_make(const struct points *table, bool closed, struct arena *life)
+{
+    struct outline *o = TAKE(life, struct outline, 1);
+    const int n = table->n, room = n + 1;
+    double *x = TAKE(life, double, room), *y = TAKE(life, double, room), *m = TAKE(life, double, room),
+           *work = TAKE(life, double, 5 * room);
+    memcpy(x, table->x, (size_t)n * sizeof *x);
+    memcpy(y, table->y, (size_t)n * sizeof *y);
+    x[n] = x[0] + TURN;
+    y[n] = y[0];
+    *o = (struct outline){closed, n, x, y, m, 0, NULL};
+    if (closed)
+        bend_closed(m, work, o, work + room, work + 2 * room, work + 3 * room, work + 4 * room);
+    else
+        bend_open(m, o, work, work + room, work + 2 * room);
+    take_samples(o, life);
+    return o;
+}
+
+/* ---- the nearest point ---- */
 
 /* Where p would be if the curve were flat, and how far from there the nearest point may be. */
 static double window(double *reach, const struct outline *o, const double *p)
@@ -175,15 +207,6 @@ static double window(double *reach, const struct outline *o, const double *p)
     const double share = fabs(far - y[0]) / far;
     *reach = share < 1 ? asin(share) : TURN / 2;
     return phi;
-}
-
-/* The next sample behind u, at most hi: half a piece on. */
-static double next_sample(const struct outline *o, double u, double hi)
-{
-    const double from = within(o, u), x = from + FLT_EPSILON * (hi - u);
-    const int i = piece(o, x);
-    const double half = o->x[i] + .5 * step_of(o, i), to = x < half ? half : o->x[i + 1];
-    return to > x ? smaller(hi, u + (to - from)) : hi;
 }
 
 /* The root of (c - p) . c' next to u, within [lo, hi]. */
@@ -207,27 +230,37 @@ static double settle(struct spot *at, const struct outline *o, const double *p, 
     return u;
 }
 
+static double square_from(const double *p, const double *c)
+{
+    const double ex = c[0] - p[0], ey = c[1] - p[1];
+    return ex * ex + ey * ey;
+}
+
+static double square_at(const struct outline *o, const double *p, double u)
+{
+    double c[2];
+    outline_point(o, c, u);
+    return square_from(p, c);
+}
+
 void outline_nearest(const struct outline *o, double *at, double *normal, const double *p)
 {
-    double reach, least = INFINITY, best = 0, lo = 0, hi = 0;
+    double reach;
     struct spot spot;
-    const double middle = window(&reach, o, p), end = middle + reach;
-    double before = middle - reach, u = before;
-    for (bool last = false; !last;) {
-        const double next = next_sample(o, u, end);
-        last = u >= end;
-        spot_at(&spot, o, u);
-        const double d = away(&spot, p);
-        if (d < least) {
-            least = d;
-            best = u;
-            lo = before;
-            hi = next;
-        }
-        before = u;
-        u = next;
+    const double middle = window(&reach, o, p), from = middle - reach, to = middle + reach;
+    const int first = sample_behind(o, from),
+              end = sample_behind(o, to); /* before them and behind them: the window's ends */
+    double least = square_at(o, p, from);
+    int best = first - 1;
+    for (int k = first; k < end; k++) {
+        const double square = square_from(p, sample_point(o, k));
+        if (square >= least) continue;
+        least = square;
+        best = k;
     }
-    settle(&spot, o, p, best, lo, hi);
+    if (square_at(o, p, to) < least) best = end;
+    const double lo = best <= first ? from : sample_u(o, best - 1), hi = best + 1 >= end ? to : sample_u(o, best + 1);
+    settle(&spot, o, p, best < first ? from : best < end ? sample_u(o, best) : to, lo, hi);
     at[0] = spot.c[0];
     at[1] = spot.c[1];
     normal_of(normal, &spot, o->closed);

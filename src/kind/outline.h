@@ -14,6 +14,8 @@ struct outline {
     bool closed; /* a cam: x is the angle [rad], y the radius [m]; else x, y [m] */
     int n;
     const double *x, *y, *bend; /* [n], of a cam [n + 1]: table, x ascending; second derivatives */
+    int samples;
+    const double *sample; /* [2 x samples]: points of it, at the table and half-way to the next */
 };
 
 /* The curve through the points, two or more, of a cam three or more whose angles lie within one turn. */
