@@ -294,21 +294,6 @@ static int list_words(const char **words, const struct key *keys, const char *co
     return n;
 }
 
-/* A key of a map that one of words[0..n) holds: "'elements' belongs into 'beam'". */
-static bool suggest_inside(const char *key, const char *const *words, int n, struct reader *rd)
-{
-    for (const struct section *s = rd->sections; s && s < rd->sections + rd->nsection; s++) {
-        const char *dot = strrchr(s->path, '.'), *name = dot ? dot + 1 : s->path;
-        if (s->word || !key_find(s->keys, key)) continue;
-        for (int i = 0; i < n; i++) {
-            if (strcmp(words[i], name) != 0) continue;
-            diag_hint(rd->diags, "it belongs into '%s': %s: {%s: ...}", name, name, key);
-            return true;
-        }
-    }
-    return false;
-}
-
 /* {mass: 2,5}: a key of digits without a value, behind a number. */
 static bool decimal_comma(const struct node *map, int i, struct reader *rd)
 {
@@ -335,7 +320,7 @@ static int refuse_unknown(const struct key *keys, const struct node *map, const 
         errors++;
         diag_error(rd->diags, member, AT_KEY, "E-unknown-key", "unknown key '%s' in %s",
                    diag_clip(rd->diags, member->key), what);
-        if (!decimal_comma(map, i, rd) && !suggest_inside(member->key, words, n, rd))
+        if (!decimal_comma(map, i, rd) && !suggest_section(member->key, words, n, keys, rd))
             diag_suggest(rd->diags, member->key, words, n);
     }
     return errors;

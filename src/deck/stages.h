@@ -6,6 +6,7 @@
 #include <sys/stat.h>
 
 #include "deck/deck.h"
+#include "deck/read.h"
 
 /* include: of the deck's root; `self` is the deck's own file. */
 void include_all(struct deck *deck, const struct stat *self);
@@ -70,6 +71,10 @@ struct parameter {
 
 /* May a parameter or loop variable be called so?  Tells at n. */
 bool variable_name(const char *name, const struct node *n, const char *code, struct diags *diags);
+
+/* belongs.c: tells of a key that a map of `keys` does not know where it belongs: into one of its words [n], or beside it.  False: nowhere,
+ * or in too many places. */
+bool suggest_section(const char *key, const char *const *words, int n, const struct key *keys, struct reader *rd);
 
 /* A number as text that reads back to the same double, fit for YAML 1.1 readers as well. */
 const char *number_text(char out[40], double x);

@@ -5,8 +5,8 @@
 #include "kind/unilateral.h"
 #include "scene/build.h"
 
-/* sections.c: the tables; the sections that are the same for all joints and forces [*n] */
-const struct section *sections_fixed(int *n);
+/* sections.c: the tables; the sections that are the same for all joints and forces, with the options of the schemes [*n] */
+const struct section *sections_fixed(int *n, const struct key_block *schemes, struct arena *life);
 struct deck_keys {
     int version;
     const char *title;

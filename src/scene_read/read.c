@@ -77,7 +77,7 @@ enum status scene_read(struct scene **out, struct deck *deck, const struct key_b
     for (int i = 0; i < 3; i++) *(*names[i] = TAKE(life, struct index, 1)) = (struct index){.life = life};
     scene->deck = deck;
     *out = scene;
-    b.reader.sections = sections_fixed(&b.reader.nsection);
+    b.reader.sections = sections_fixed(&b.reader.nsection, schemes, life);
     read_keys(&k, keys_deck, deck->root, NULL, "the deck", &b.reader);
     scene->title = k.title ? k.title : "";
     read_effects(&b, k.effects);

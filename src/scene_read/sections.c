@@ -1,5 +1,6 @@
 /* sections.c -- the deck's key tables, section by section; joints and laws bring their own. */
 #include <math.h>
+#include <string.h>
 
 #include "kind/joint.h"
 #include "scene_flex/flexible.h"
@@ -302,10 +303,13 @@ static const struct section fixed[] = {
 };
 enum { FIXED = sizeof fixed / sizeof *fixed };
 
-const struct section *sections_fixed(int *n)
+const struct section *sections_fixed(int *n, const struct key_block *schemes, struct arena *life)
 {
-    *n = FIXED;
-    return fixed;
+    struct section *all = TAKE(life, struct section, FIXED + 1);
+    memcpy(all, fixed, sizeof fixed);
+    all[FIXED] = (struct section){"integrate", NULL, "options of the schemes", schemes->keys};
+    *n = FIXED + 1;
+    return all;
 }
 
 bool scene_section(struct section *o, int i)
