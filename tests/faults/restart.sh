@@ -155,3 +155,27 @@ END
         [ -z "$why" ] && ok "restart: bounces, at $((majors / 2)) major steps" || not_ok "restart: bounces, at $((majors / 2)) major steps" "$why"
     done
 fi
+
+# A guard that takes steps in parts where a stop jumps remembers what it looks for.
+if wanted guard; then
+    cat >guard.yaml <<'END'
+fmdsub: 1
+gravity: [0, -9.81]
+bodies:
+  a: {mass: 1, inertia: 1/12, at: [0.5, 0]}
+  b: {mass: 0.1, inertia: 1.0e-3, at: [1.15, 0]}
+constraints:
+  p: {revolute: [ground, a], at: [0, 0]}
+  q: {revolute: [a, b], at: [1, 0]}
+forces:
+  k: {spring: q, stiffness: 3000, cubic: 1.0e+6}
+  w: {unilateral: q, from: 0.05, stiffness: 1.0e+5, damping: 1}
+initial: {q.angle: 0.3, p.angle_rate: 3}
+integrate: {scheme: midpoint, step: 1.0e-2, guard: act, until: 1}
+END
+    H=0.01 every="--every-steps 1"
+    for majors in 4 20 60; do
+        why=$(one_run guard.yaml $majors)
+        [ -z "$why" ] && ok "restart: guard, at $((majors / 2)) steps" || not_ok "restart: guard, at $((majors / 2)) steps" "$why"
+    done
+fi

@@ -186,3 +186,24 @@ END
         NR == 4 { for (k = 2; k <= 4; k++) moved += off($k, first[k]); print (moved < 1e-11 && off($5, 0) < 2e-4) ? "kept" : moved " " $5 " J" }' "$work/out")
     expect "a blow at $share of a step to what floats" kept "$said" "$work/out" "$work/err"
 done
+
+# A stroke that is counted from the drawn length is the same motion as one that is given whole.
+ram='fmdsub: 1
+gravity: [0, -9.81]
+bodies: {arm: {mass: 2, inertia: 0.2, at: [0.5, 0.3]}}
+constraints: {pin: {revolute: [ground, arm], at: [0, 0]}}
+measures: {ram: {distance: [[1, -1], arm]}}
+drives: {push: {drive: ram, value: VALUE}}
+integrate: {scheme: midpoint, step: 1.0e-3, until: 1}
+output: {every: 0.1, columns: [pin.angle, pin.angle_rate, push.force]}'
+for kind in expression table; do
+    case $kind in
+    expression) stroke='0.1*sin(3*t)^2' whole="'sqrt(1.94) + 0.1*sin(3*t)^2'" ;;
+    *) stroke='{table: [[0, 0], [0.5, 0.05], [1, 0.2]]}' whole='{table: [[0, sqrt(1.94)], [0.5, sqrt(1.94) + 0.05], [1, sqrt(1.94) + 0.2]]}' ;;
+    esac
+    echo "$ram" | sed "s|VALUE|$whole|" >"$work/whole.yaml"
+    echo "$ram" | sed "s|VALUE|$stroke, from: drawn|" >"$work/drawn.yaml"
+    for deck in whole drawn; do "$FMDSUB" run -q "$work/$deck.yaml" >"$work/$deck.csv" 2>"$work/err"; done
+    "$FMDSUB" diff -q --rel 1.0e-9 "$work/whole.csv" "$work/drawn.csv" >"$work/out" 2>&1
+    expect "a stroke from the drawn length, $kind" "0 11" "$? $(($(wc -l <"$work/drawn.csv") - 1))" "$work/out" "$work/err"
+done

@@ -129,6 +129,14 @@ for want in '"effect":"out_of_plane","state":"on"' '"effect":"momentum","state":
     grep -qF "$want" "$work/flat"
     expect "explain: $want" 0 $? "$work/told"
 done
+# A body from a file, its stiffening off, is the same body from a file that has none.
+"$FMDSUB" run -q --set effects.stiffening=false --columns slider.x,slider.vx tests/decks/crank-stiffened.yaml >"$work/off.csv" 2>"$work/err"
+"$FMDSUB" run -q --set integrate.tolerance=1.0e-9 --columns slider.x,slider.vx tests/decks/crank-consistent.yaml >"$work/none.csv" 2>>"$work/err"
+"$FMDSUB" run -q --columns slider.x,slider.vx tests/decks/crank-stiffened.yaml >"$work/on.csv" 2>>"$work/err"
+"$FMDSUB" diff -q --rel 1.0e-8 "$work/off.csv" "$work/none.csv" >"$work/out" 2>&1
+expect "a body from a file without its stiffening: as from one without any" "0 11" "$? $(($(wc -l <"$work/off.csv") - 1))" "$work/out" "$work/err"
+"$FMDSUB" diff -q --rel 1.0e-3 "$work/off.csv" "$work/on.csv" >"$work/out" 2>&1
+expect "which is another one than with it" 1 $? "$work/out" "$work/err"
 # Stiffening off changes the satellite as a run by hand says.
 "$FMDSUB" run -q decks/floating-satellite.yaml >"$work/on.csv" 2>"$work/err"
 "$FMDSUB" run -q --set effects.stiffening=false decks/floating-satellite.yaml >"$work/off.csv" 2>"$work/err"
