@@ -31,19 +31,28 @@ struct decimal {
     long exponent;   /* x = digits 10^exponent */
 };
 
+/* The high half of a b. */
+INTO static inline uint64_t high_of(uint64_t a, uint64_t b)
+{
+    return (uint64_t)((wide)a * b >> 64);
+}
+
+struct product {
+    uint64_t high, low; /* high + low 2^-64 */
+};
+
 /* g c 2^-64, the last bits cut off.  g is less than one unit above the true power: an exact product leaves 0 or 1 in the
  * low word, any other more. */
-INTO static inline wide times(const uint64_t g[2], uint64_t c)
+INTO static inline struct product times(const uint64_t g[2], uint64_t c)
 {
-    const wide high = (wide)g[0] * c;
-    const uint64_t carried = (uint64_t)((wide)g[1] * c >> 64), low = (uint64_t)high + carried;
-    return (wide)((uint64_t)(high >> 64) + (low < carried)) << 64 | low;
+    const uint64_t carried = high_of(g[1], c), low = g[0] * c + carried;
+    return (struct product){high_of(g[0], c) + (low < carried), low};
 }
 
 /* The largest whole number up to such a product 2^-64; `less`: that is less than it. */
-INTO static inline uint64_t whole(wide product, uint64_t less)
+INTO static inline uint64_t whole(struct product product, uint64_t less)
 {
-    return (uint64_t)(product >> 64) - ((uint64_t)product < 2 * less);
+    return product.high - (product.low < 2 * less);
 }
 
 static const uint64_t E8 = 100000000, E16 = 10000000000000000;
@@ -70,11 +79,11 @@ APART struct decimal shortest(uint64_t c, long q, bool narrow)
     const long k = p.k;
     const int h = p.h;
     const uint64_t odd = c & 1, at = 4 * c << h, half = UINT64_C(2) << h;
-    const wide v = times(g, at); /* 4 x 10^-k */
+    const struct product v = times(g, at); /* 4 x 10^-k */
     const uint64_t outside = whole(times(g, at - (half >> narrow)), !odd);
     const uint64_t inside = whole(times(g, at + half), odd);
 
-    const uint64_t s = (uint64_t)(v >> 66), tens = s / 10;
+    const uint64_t s = v.high >> 2, tens = s / 10;
     const bool below = outside < 40 * tens, above = 40 * tens + 40 <= inside;
     if (below | above) return (struct decimal){10 * (tens + above), k};
     if (narrow && outside >= 4 * s) return (struct decimal){s + 1, k};
@@ -82,20 +91,19 @@ APART struct decimal shortest(uint64_t c, long q, bool narrow)
 }
 
 /* The same where nothing is near a tie, by one product: of x 10^-k its last digit, with 59 bits behind it, against half of what
- * is between x and its neighbours.  Both are less than one unit too small: what is two away from a tie is beyond it. */
+ * is between x and its neighbours.  Both are less than one unit too small: what is more than two away from a tie is beyond it. */
 INTO static inline struct decimal quickly_shortest(uint64_t c, long q)
 {
-    static const uint64_t ONE = UINT64_C(1) << 59;
+    static const uint64_t ONE = UINT64_C(1) << 59, TIE = UINT64_C(1) << 63;
     const struct place p = place_of(q, false);
-    const wide v = times(p.g, c << p.h);
-    const uint64_t s = (uint64_t)(v >> 64), tens = s / 10, last = (uint64_t)(v >> 5) - 10 * ONE * tens;
-    const uint64_t half = p.g[0] >> (6 - p.h), down = last - half + 2, up = last + half + 2 - 10 * ONE;
-    if (down <= 4 || up <= 4) return shortest(c, q, false);
-    if ((int64_t)down < 0) return (struct decimal){10 * tens, p.k};
-    if ((int64_t)up >= 0) return (struct decimal){10 * tens + 10, p.k};
-    const uint64_t part = (last & (ONE - 1)) + 2 - ONE / 2;
-    if (part <= 4) return shortest(c, q, false);
-    return (struct decimal){s + 1 - (part >> 63), p.k};
+    const struct product v = times(p.g, c << p.h);
+    const uint64_t tens = v.high / 10, last = (v.high << 59 | v.low >> 5) - 10 * ONE * tens;
+    const uint64_t half = p.g[0] >> (6 - p.h);
+    const int64_t down = (int64_t)(last - half), up = (int64_t)(last + half - 10 * ONE);
+    if (down < -2) return (struct decimal){10 * tens, p.k};
+    if (up > 2) return (struct decimal){10 * tens + 10, p.k};
+    if (down <= 2 || up >= -2 || v.low - TIE + 64 <= 128) return shortest(c, q, false);
+    return (struct decimal){v.high + (v.low >> 63), p.k};
 }
 
 /* A power of two, or below the normal numbers, where digits are missing. */
@@ -116,13 +124,13 @@ INTO static inline uint64_t eight_digits(uint64_t u)
     const uint64_t hundreds = (four * 10486 >> 20) & UINT64_C(0x0000007f0000007f);
     const uint64_t two = (four << 16) - ((100 << 16) - 1) * hundreds;
     const uint64_t ten = (two * 103 >> 10) & UINT64_C(0x000f000f000f000f);
-    return (two << 8) - ((10 << 8) - 1) * ten;
+    return ((two - 10 * ten) << 8) + ten;
 }
 
 /* The number of the last byte that is not 0, from 0, in the order of eight_digits(). */
-INTO static inline int last_byte(uint64_t digits)
+INTO static inline long last_byte(uint64_t digits)
 {
-    return (63 ^ __builtin_clzll(digits)) >> 3;
+    return (63 ^ (unsigned)__builtin_clzll(digits)) >> 3;
 }
 
 /* d[0].d[1]...d[16] times 10^e of a number, as text; n without the last zeros. */
@@ -168,9 +176,10 @@ static char *put_zeros(char *to, int n)
 
 static char *put_exponent(char *to, long e)
 {
-    if (e >= 100) *to++ = (char)('0' + e / 100);
-    if (e >= 10) *to++ = (char)('0' + e / 10 % 10);
-    *to++ = (char)('0' + e % 10);
+    const long tens = e / 10;
+    if (tens >= 10) *to++ = (char)('0' + tens / 10);
+    if (tens) *to++ = (char)('0' + tens % 10);
+    *to++ = (char)('0' + (e - 10 * tens));
     return to;
 }
 
