@@ -135,9 +135,9 @@ static enum status resid(const struct ode2 *o, double *r, double *w, double *dk,
 static enum status mass(const struct ode2 *o, double *M, const double *q, double t, unsigned cls, struct trouble *why)
 {
     struct open_tree *s = tree_of(o);
-    const bool there = placed_at(s, q);
-    s->placed = there;
-    s->ops->mass(s->sweep, M, there ? NULL : q, cls);
+    if (cls == ALL) open_place(s, q);
+    s->placed = placed_at(s, q);
+    s->ops->mass(s->sweep, M, s->placed ? NULL : q, cls);
     /* all that enters M enters its diagonal */
     return all_finite(M, cls == FAST && o->near > 0 ? o->near : o->n, o->n + 1)
                ? OK
