@@ -45,6 +45,23 @@ void decouple_dense(struct decouple *p)
     p->structured = 0;
 }
 
+/* C [ns x ns] += s A' B; for two fast coordinates in one pass. */
+static void gram(double *C, double s, const double *A, const double *B, int inner, int ns, int lda, int ldb)
+{
+    if (ns != 2) {
+        dense_gemtm(C, s, A, B, ns, inner, ns, ns, lda, ldb);
+        return;
+    }
+    double sum[4] = {0, 0, 0, 0};
+    for (int i = 0; i < inner; i++) {
+        sum[0] += A[i] * B[i];
+        sum[1] += A[i + lda] * B[i];
+        sum[2] += A[i] * B[i + ldb];
+        sum[3] += A[i + lda] * B[i + ldb];
+    }
+    for (int i = 0; i < 4; i++) C[i] += s * sum[i];
+}
+
 static int last_row(const double *W, int nl, int ns)
 {
     int reach = 0;
@@ -104,7 +121,7 @@ static enum status by_matrix(struct decouple *p, const struct instant *x, struct
     int pivot = dense_cholesky(p->L, nl, nl);
     if (pivot >= 0) return trouble_set(why, TROUBLE_MASS, ns + pivot, 0, x->t);
     dense_cholesky_solves(p->L, p->W, nl, nl, ns, nl);
-    dense_gemtm(p->Mss, -1, p->M + ns, p->W, ns, nl, ns, ns, n, nl);
+    gram(p->Mss, -1, p->M + ns, p->W, nl, ns, n, nl);
     p->reach = last_row(p->W, nl, ns);
     return OK;
 }
@@ -204,7 +221,7 @@ static enum status slow_share(struct decouple *p, const struct instant *x, struc
     int ns = p->ns, ml = p->ml, rows = p->reach < ml ? p->reach : ml;
     TRY(p->Mf ? by_mass(p, x, rows, why) : by_evaluations(p, x, rows, why));
     zero(p->WMW, ns * ns);
-    dense_gemtm(p->WMW, 1, p->W, p->MsW, ns, rows, ns, ns, p->nl, ml);
+    gram(p->WMW, 1, p->W, p->MsW, rows, ns, p->nl, ml);
     for (int j = 0; j < ns; j++)
         for (int i = 0; i < j; i++)
             p->WMW[i + j * ns] = p->WMW[j + i * ns] = (p->WMW[i + j * ns] + p->WMW[j + i * ns]) / 2;
@@ -220,21 +237,15 @@ enum status decouple_at(struct decouple *p, const struct instant *x, struct trou
     return p->reach ? slow_share(p, x, why) : OK;
 }
 
+void gemv_from_many(double *y, const double *x, double s, const double *A, const double *e, int rows, int cols, int ld)
+{
+    copy(y, x, rows);
+    gemv_few(y, s, A, e, rows, cols, ld);
+}
+
 void decouple_recoil(const struct decouple *p, double *y, double s, const double *x)
 {
     if (p->reach) gemv_few(y, s, p->W, x, p->reach, p->ns, p->nl);
-}
-
-void decouple_out(const struct decouple *p, double *out, const double *y, const double *x, int m)
-{
-    int ns = p->ns, rows = p->reach < m ? p->reach : m;
-    const double *W = p->W;
-    double *slow = out + ns;
-    if (out != x) copy(out, x, ns);
-    for (int i = 0; i < rows; i++) slow[i] = y[i] - W[i] * out[0];
-    for (int j = 1; j < ns; j++)
-        for (int i = 0; i < rows; i++) slow[i] -= W[i + (long)j * p->nl] * out[j];
-    if (rows < m) copy(slow + rows, y + rows, m - rows);
 }
 
 void decouple_both(const struct decouple *p, double *restrict v, double *restrict a, const double *restrict y,
@@ -261,56 +272,125 @@ void decouple_both(const struct decouple *p, double *restrict v, double *restric
     }
 }
 
-/* Slow row i of P (y, v) for one, two or three fast coordinates. */
-INTO static inline double few_row(const struct decouple *p, const double *y, const double *v, int i, int few)
+/* Slow row i of P (y, v), its y given, for one, two or three fast coordinates. */
+INTO static inline double few_row(const struct decouple *p, double y, const double *v, int i, int few)
 {
     const double *W = p->W + i;
-    double x = y[i] - W[0] * v[0];
+    double x = y - W[0] * v[0];
     if (few > 1) x -= W[p->nl] * v[1];
     if (few > 2) x -= W[2 * p->nl] * v[2];
     return x;
 }
 
-struct there {
-    double *v, *a, *q1;
-    const double *q0, *y, *b;
-    double s;
-};
-
-INTO static inline void few_there(const struct decouple *p, const struct there *o, int rows, int few)
+/* Slow rows of P (y, x) for one or two fast coordinates, or for many. */
+INTO static inline void few_out(const struct decouple *p, double *restrict slow, const double *restrict y,
+                                const double *x, int rows, int few)
 {
-    double *restrict v = o->v + few, *restrict a = o->a + few, *restrict q1 = o->q1 + few;
-    const double *restrict q0 = o->q0 + few, *y = o->y, *b = o->b;
-    double u[3], w[3];
-    for (int j = 0; j < few; j++) u[j] = o->v[j], w[j] = o->a[j];
-    for (int i = 0; i < rows; i++) {
-        a[i] = few_row(p, b, w, i, few);
-        v[i] = few_row(p, y, u, i, few);
-        q1[i] = q0[i] + o->s * v[i];
+    const double v[2] = {x[0], few > 1 ? x[1] : 0};
+    for (int i = 0; i < rows; i++) slow[i] = few_row(p, y[i], v, i, few);
+}
+
+APART void many_out(const struct decouple *p, double *restrict slow, const double *restrict y, const double *x,
+                    int rows)
+{
+    for (int i = 0; i < rows; i++) slow[i] = y[i];
+    for (int j = 0; j < p->ns; j++) {
+        const double *restrict W = p->W + (long)j * p->nl, xj = x[j];
+        for (int i = 0; i < rows; i++) slow[i] -= W[i] * xj;
     }
 }
 
-void decouple_there(const struct decouple *p, double *restrict v, double *restrict a, double *restrict q1,
-                    const double *restrict q0, double s, const double *restrict y, const double *restrict b, int m)
+void decouple_out(const struct decouple *p, double *out, const double *y, const double *x, int m)
+{
+    int ns = p->ns, rows = p->reach < m ? p->reach : m;
+    double *slow = out + ns;
+    if (out != x) copy(out, x, ns);
+    if (ns == 1)
+        few_out(p, slow, y, out, rows, 1);
+    else if (ns == 2)
+        few_out(p, slow, y, out, rows, 2);
+    else
+        many_out(p, slow, y, out, rows);
+    if (rows < m) copy(slow + rows, y + rows, m - rows);
+}
+
+/* decouple_there() down to the slow row `rows`; u, w, d: the fast rows, which are asked for again and again. */
+INTO static inline void few_rows(const struct decouple *p, double *restrict v, double *restrict a, double *restrict q1,
+                                 const double *restrict q0, const double *restrict x, const double *restrict y,
+                                 const double *restrict b, double s, int rows, int few)
+{
+    double u[3], w[3], d[3];
+    for (int j = 0; j < few; j++) {
+        u[j] = v[j], w[j] = a[j], d[j] = x[j];
+        q1[j] = q0[j] + x[j];
+    }
+    v += few, a += few, q1 += few, q0 += few;
+    for (int i = 0; i < rows; i++) {
+        a[i] = few_row(p, b[i], w, i, few);
+        v[i] = few_row(p, y[i], u, i, few);
+        q1[i] = q0[i] + few_row(p, s * y[i], d, i, few);
+    }
+}
+
+INTO static inline void few_there(const struct decouple *p, const struct decouple_there *o, int rows, int few)
+{
+    few_rows(p, o->v, o->a, o->q1, o->q0, o->x, o->y, o->b, o->s, rows, few);
+}
+
+/* One by one, as each needs registers for so many columns of W only. */
+APART void one_there(const struct decouple *p, const struct decouple_there *o, int rows)
+{
+    few_there(p, o, rows, 1);
+}
+
+APART void two_there(const struct decouple *p, const struct decouple_there *o, int rows)
+{
+    few_there(p, o, rows, 2);
+}
+
+APART void three_there(const struct decouple *p, const struct decouple_there *o, int rows)
+{
+    few_there(p, o, rows, 3);
+}
+
+APART void many_there(const struct decouple *p, const struct decouple_there *o, int rows)
+{
+    const int ns = p->ns;
+    double *restrict q1 = o->q1 + ns;
+    decouple_both(p, o->v, o->a, o->y, o->b, rows);
+    for (int i = 0; i < rows; i++) q1[i] = o->s * o->y[i];
+    for (int j = 0; j < ns; j++) {
+        const double *restrict W = p->W + (long)j * p->nl, x = o->x[j];
+        for (int i = 0; i < rows; i++) q1[i] -= W[i] * x;
+        o->q1[j] = o->q0[j] + x;
+    }
+    for (int i = 0; i < rows; i++) q1[i] += o->q0[ns + i];
+}
+
+/* Slow rows that P leaves alone. */
+APART void rest_there(const struct decouple *p, const struct decouple_there *o, int rows, int m)
+{
+    double *v = o->v + p->ns, *a = o->a + p->ns, *q1 = o->q1 + p->ns;
+    const double *q0 = o->q0 + p->ns;
+    for (int i = rows; i < m; i++) {
+        v[i] = o->y[i];
+        a[i] = o->b[i];
+        q1[i] = q0[i] + o->s * o->y[i];
+    }
+}
+
+void decouple_there(const struct decouple *p, const struct decouple_there *o, int m)
 {
     const int ns = p->ns, rows = p->reach < m ? p->reach : m;
-    const struct there o = {v, a, q1, q0, y, b, s};
-    for (int i = 0; i < ns; i++) q1[i] = q0[i] + s * v[i];
-    if (ns == 1) {
-        few_there(p, &o, rows, 1);
-    } else if (ns == 2) {
-        few_there(p, &o, rows, 2);
-    } else if (ns == 3) {
-        few_there(p, &o, rows, 3);
-    } else {
-        decouple_both(p, v, a, y, b, rows);
-        for (int i = ns; i < ns + rows; i++) q1[i] = q0[i] + s * v[i];
-    }
-    for (int i = rows; i < m; i++) {
-        v[ns + i] = y[i];
-        a[ns + i] = b[i];
-        q1[ns + i] = q0[ns + i] + s * y[i];
-    }
+    if (rows < m) rest_there(p, o, rows, m);
+    if (ns == 1)
+        one_there(p, o, rows);
+    else if (ns == 2)
+        two_there(p, o, rows);
+    else if (ns == 3)
+        three_there(p, o, rows);
+    else
+        many_there(p, o, rows);
 }
 
 void decouple_on(const struct decouple *p, double *restrict q, double s, const double *restrict y,
@@ -320,11 +400,11 @@ void decouple_on(const struct decouple *p, double *restrict q, double s, const d
     double *restrict slow = q + ns;
     for (int i = 0; i < ns; i++) q[i] += s * v[i];
     if (ns == 1)
-        for (int i = 0; i < rows; i++) slow[i] += s * few_row(p, y, v, i, 1);
+        for (int i = 0; i < rows; i++) slow[i] += s * few_row(p, y[i], v, i, 1);
     else if (ns == 2)
-        for (int i = 0; i < rows; i++) slow[i] += s * few_row(p, y, v, i, 2);
+        for (int i = 0; i < rows; i++) slow[i] += s * few_row(p, y[i], v, i, 2);
     else if (ns == 3)
-        for (int i = 0; i < rows; i++) slow[i] += s * few_row(p, y, v, i, 3);
+        for (int i = 0; i < rows; i++) slow[i] += s * few_row(p, y[i], v, i, 3);
     else
         for (int i = 0; i < rows; i++) {
             double x = y[i];

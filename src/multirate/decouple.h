@@ -71,6 +71,19 @@ INTO static inline void gemv_few(double *restrict y, double s, const double *res
     }
 }
 
+/* y [rows] := x + s A e, likewise; many: where they are more. */
+void gemv_from_many(double *y, const double *x, double s, const double *A, const double *e, int rows, int cols, int ld);
+INTO static inline void gemv_from(double *restrict y, const double *restrict x, double s, const double *restrict A,
+                                  const double *restrict e, int rows, int cols, int ld)
+{
+    if (cols != 2 || rows > 4 * FEW) {
+        gemv_from_many(y, x, s, A, e, rows, cols, ld);
+    } else {
+        const double *restrict B = A + ld, a = s * e[0], b = s * e[1];
+        for (int i = 0; i < rows; i++) y[i] = x[i] + A[i] * a + B[i] * b;
+    }
+}
+
 struct decouple {
     const struct ode2 *ode;
     struct effort *effort;
@@ -104,9 +117,15 @@ void decouple_recoil(const struct decouple *p, double *y, double s, const double
 void decouple_out(const struct decouple *p, double *out, const double *y, const double *x, int m);
 /* v and a [ns + m] := P (y, v) and P (b, a), where they have their fast rows. */
 void decouple_both(const struct decouple *p, double *v, double *a, const double *y, const double *b, int m);
-/* The same, and q1 [ns + m] = q0 + s v: in one pass where few coordinates are fast, to the same bits. */
-void decouple_there(const struct decouple *p, double *v, double *a, double *q1, const double *q0, double s,
-                    const double *y, const double *b, int m);
+/* Where a minor step is half-way: as above, and q1 [ns + m] = q0 + P (s y, x), x [ns]. */
+struct decouple_there {
+    double *v, *a, *q1;
+    const double *q0, *x, *y, *b;
+    double s;
+};
+
+/* In one pass where few coordinates are fast. */
+void decouple_there(const struct decouple *p, const struct decouple_there *o, int m);
 /* q [ns + m] += s P (y, v), likewise; v [ns]. */
 void decouple_on(const struct decouple *p, double *q, double s, const double *y, const double *v, int m);
 /* rs [ns] := the fast rows of P' r, where r has its first m slow rows. */

@@ -10,11 +10,12 @@
 void forecast_open(struct forecast *f, const struct decouple *dec, struct arena *life)
 {
     *f = (struct forecast){.ns = dec->ns, .nl = dec->nl, .ml = dec->ml};
-    double **fast[] = {&f->as,   &f->dx, &f->vs, &f->trend, &f->phi, &f->phi1,
-                       &f->phi2, &f->c,  &f->g,  &f->x,     &f->v,   &f->s};
+    double **fast[] = {&f->as, &f->dx, &f->vs, &f->trend, &f->phi, &f->phi1, &f->phi2, &f->x, &f->v, &f->s};
     double **known[] = {&f->y, &f->w, &f->dy, &f->dw};
-    for (int i = 0; i < 12; i++) *fast[i] = TAKE(life, double, f->ns);
+    for (int i = 0; i < 10; i++) *fast[i] = TAKE(life, double, f->ns);
     for (int i = 0; i < 4; i++) *known[i] = TAKE(life, double, f->ml);
+    f->c = TAKE_MATRIX(life, double, f->ns, 2);
+    f->g = f->c + f->ns;
     fit_row_open(&f->fit, f->nl, life);
     f->differs = TAKE(life, double, f->fit.room);
     f->leap = TAKE(life, struct leap, f->ns);
@@ -85,16 +86,14 @@ void forecast_make(struct forecast *f, const struct response *p, double *du, dou
         f->g[i] -= h * f->trend[i] * p->H;
     }
     copy(f->v, v0, ns);
-    response_run(p, d, f->c, f->g, NULL, f->x, f->v, f->s, 0);
+    response_run(p, d, &(struct powers){f->c, 2}, f->x, f->v, f->s, 0);
 }
 
 /* c [ns] := K_SL y_k+1/2 + C_SL w of minor step k. */
-INTO static inline void driving_at(struct forecast *f, double *c, const struct response *p, const double *w, int k,
-                                   int ns)
+APART void driving_at(struct forecast *f, double *c, const struct response *p, const double *w, int k)
 {
-    int n = p->n, ml = p->ml;
-    for (int i = 0; i < ns; i++) c[i] = 0;
-    if (!p->drives) return;
+    const int n = p->n, ns = p->ns, ml = p->ml;
+    zero(c, ns);
     for (int i = 0; i < ml; i++) f->dy[i] = (k + .5) * p->h * w[i];
     gemv_few(c, 1, p->one.K + (long)ns * n, f->dy, ns, ml, n);
     gemv_few(c, 1, p->one.C + (long)ns * n, w, ns, ml, n);
@@ -131,68 +130,83 @@ static void leap_learn(struct forecast *f)
     f->leaps = 0;
 }
 
-/* Where the minor steps have come to: displacements, velocities, of the slow ones w, in step k. */
-struct reached {
-    const double *x, *v, *w;
-    int k;
-};
+INTO static inline void guess(int ns, double *restrict d, const double *restrict p, const double *restrict p1,
+                              const double *restrict p2, double h)
+{
+    for (int i = 0; i < ns; i++) d[i] = h * (p[i] + p1[i] + p2[i]);
+}
 
 INTO static inline void minor(int ns, struct forecast *f, const struct response *p, double *restrict d,
-                              const struct reached *o)
+                              const struct reached *o, int k)
 {
     const struct minor *m = &p->one;
-    driving_at(f, f->c, p, o->w, o->k, ns);
-    for (int i = 0; i < ns; i++) d[i] = p->h * (f->phi[i] + f->phi1[i] + f->phi2[i] - f->c[i]);
+    guess(ns, d, f->phi, f->phi1, f->phi2, p->h);
+    if (p->drives) {
+        driving_at(f, f->c, p, o->w, k);
+        for (int i = 0; i < ns; i++) d[i] -= p->h * f->c[i];
+    }
     gemv_few(d, -p->h, m->K, o->x, ns, ns, p->n);
     gemv_few(d, -1, m->V, o->v, ns, ns, ns);
     minor_solve(m, d, ns);
 }
 
 /* J d_k = h { phi - K_SL y_k+1/2 - C_SL w - K_SS x_k } - V v_k. */
-void forecast_minor(struct forecast *f, const struct response *p, double *d, const double *x, const double *v,
-                    const double *w, const double *jump, int k)
+void forecast_minor(struct forecast *f, const struct response *p, double *d, const struct reached *from,
+                    const double *jump, int k)
 {
-    const struct reached o = {x, v, w, k};
     if (k == 0 && !jump) return;
     if (k == 0) leap_ahead(f, jump);
-    BY_FEW(minor, p->ns, f, p, d, &o);
+    BY_FEW(minor, p->ns, f, p, d, from, k);
 }
 
 /* f->g := phi of d_k by the same equation. */
-static void force_of(struct forecast *f, const struct response *p, const double *d, const struct reached *o)
+APART void force_of(struct forecast *f, const struct response *p, const double *d, const struct reached *o, int k)
 {
     const struct minor *m = &p->one;
     int ns = p->ns;
     double per = 1 / p->h;
-    driving_at(f, f->g, p, o->w, o->k, ns);
+    zero(f->g, ns);
+    if (p->drives) driving_at(f, f->g, p, o->w, k);
     gemv_few(f->g, 1, m->K, o->x, ns, ns, p->n);
     gemv_few(f->g, per, m->V, o->v, ns, ns, ns);
     gemv_few(f->g, per, m->S, d, ns, ns, ns);
     gemv_few(f->g, per, p->Mss, d, ns, ns, ns);
 }
 
-/* phi and its differences go on to what is found: rest [ns] beside what was guessed, NULL: as it stands in f->g. */
-INTO static inline void go_on(int ns, struct forecast *f, const double *restrict rest, double per, int k)
+/* phi and its differences go on to what is found, rest [ns] beside what was guessed. */
+INTO static inline void go_on(int ns, double *restrict p, double *restrict p1, double *restrict p2,
+                              const double *restrict rest, double per)
 {
-    double *restrict p = f->phi, *restrict p1 = f->phi1, *restrict p2 = f->phi2;
     for (int i = 0; i < ns; i++) {
-        double guess = p1[i] + p2[i], phi = rest ? p[i] + guess - per * rest[i] : f->g[i];
-        double step = k > 0 ? phi - p[i] : guess;
-        if (k > 0) p2[i] = f->differences > 0 ? step - p1[i] : 0;
+        const double phi = p[i] + (p1[i] + p2[i]) - per * rest[i], step = phi - p[i];
+        p2[i] = step - p1[i];
         p1[i] = step;
         p[i] = phi;
     }
 }
 
-/* At the first minor step phi has jumped, and its differences are carried over. */
-void forecast_force(struct forecast *f, const struct response *p, const double *d, const double *x, const double *v,
-                    const double *w, const double *rest, int k)
+/* The same to phi as it stands in f->g.  At the first minor step it has jumped, and its differences are carried over. */
+APART void go_on_anew(struct forecast *f, int k)
 {
-    const struct reached o = {x, v, w, k};
-    const double *known = k > 0 ? rest : NULL;
-    if (!known) force_of(f, p, d, &o);
     if (k == 0) leap_learn(f);
-    BY_FEW(go_on, p->ns, f, known, 1 / p->h, k);
+    for (int i = 0; i < f->ns; i++) {
+        const double step = k > 0 ? f->g[i] - f->phi[i] : f->phi1[i] + f->phi2[i];
+        if (k > 0) f->phi2[i] = step - f->phi1[i];
+        f->phi1[i] = step;
+        f->phi[i] = f->g[i];
+    }
+}
+
+void forecast_force(struct forecast *f, const struct response *p, const double *d, const struct reached *from,
+                    const double *rest, int k)
+{
+    if (k > 0 && rest) {
+        BY_FEW(go_on, p->ns, f->phi, f->phi1, f->phi2, rest, 1 / p->h);
+    } else {
+        force_of(f, p, d, from, k);
+        go_on_anew(f, k);
+    }
+    if (k > 0 && f->differences == 0) zero(f->phi2, f->ns);
     f->differences += k > 0;
 }
 

@@ -42,8 +42,9 @@ struct forecast {
     int differences;           /* how many of phi have been seen */
     double *ay, *aybefore;     /* [nl] du/H of the last step and of the one before it */
     double H, Hbefore;         /* lengths of these [s] */
-    double *c, *g, *x, *v, *s; /* [ns] scratch */
-    double *dy, *dw;           /* [ml] */
+    double *c, *g;             /* [ns x 2], its second column; scratch as x, v and s [ns] */
+    double *x, *v, *s;
+    double *dy, *dw; /* [ml] */
 };
 
 /* A major step that has been found: its unknowns, dx of its last minor step, x_n at its end. */
@@ -65,14 +66,20 @@ void forecast_make(struct forecast *f, const struct response *p, double *du, dou
 /* The local error of the step found, in units 1/per [n]: the largest of h/12 |a_k - a_k-1| summed over the minor
  * steps and H/12 |a_y - a_y,last|.  Before forecast_keep(). */
 double forecast_error(const struct forecast *f, const struct found *x, const double *per);
-/* In the first sweep: d [ns] of minor step k, from x, v [ns] at its start and phi extrapolated.  jump [ns x 3]: of
- * phi and its differences at k = 0; NULL: not known, and d of k = 0 stays as it is. */
-void forecast_minor(struct forecast *f, const struct response *p, double *d, const double *x, const double *v,
-                    const double *w, const double *jump, int k);
+/* Where a minor step starts. */
+struct reached {
+    const double *x, *v; /* [ns] displacements and velocities of the fast coordinates */
+    const double *w;     /* [nl] velocities of the slow ones */
+};
+
+/* In the first sweep: d [ns] of minor step k, from there and phi extrapolated.  jump [ns x 3]: of phi and its differences at
+ * k = 0; NULL: not known, and d of k = 0 stays as it is. */
+void forecast_minor(struct forecast *f, const struct response *p, double *d, const struct reached *from,
+                    const double *jump, int k);
 /* After that minor step: its phi, from d as it was found.  rest [ns]: the residual of the fast rows, if d was
  * corrected once, by J; NULL: in any other way. */
-void forecast_force(struct forecast *f, const struct response *p, const double *d, const double *x, const double *v,
-                    const double *w, const double *rest, int k);
+void forecast_force(struct forecast *f, const struct response *p, const double *d, const struct reached *from,
+                    const double *rest, int k);
 void forecast_recall(struct forecast *f, struct recall *r);
 /* The step found was accepted: the next one is predicted from it. */
 void forecast_keep(struct forecast *f, const struct response *p, const struct found *x);

@@ -294,24 +294,22 @@ enum status response_slow(struct response *p, struct decouple *dec, const double
 
 /* What response_run() goes through: the residual, where x and v stand, what has room for one step. */
 struct run {
-    const double *c, *g;
-    const struct powers *more;
+    const double *rest;
     double *x, *v, *s;
     int add;
 };
 
-INTO static inline void run(int ns, const struct response *p, double *d, const struct run *o)
+INTO static inline void run(int ns, int terms, const struct response *p, double *restrict d, const struct run *o)
 {
     const struct minor *m = &p->one;
-    const double h = p->h;
-    const int terms = o->more ? o->more->terms : 0;
+    const double *restrict rest = o->rest, h = p->h;
     double *restrict x = o->x, *restrict v = o->v, *restrict s = o->s;
     for (int k = 0; k < p->ratio; k++, d += ns) {
         const double f = (k + .5) / p->ratio;
-        for (int i = 0; i < ns; i++) s[i] = -o->c[i] - f * o->g[i];
-        double power = 1;
-        for (int j = 0; j < terms; j++, power *= f)
-            for (int i = 0; i < ns; i++) s[i] -= power * o->more->x[i + j * ns];
+        for (int i = 0; i < ns; i++) {
+            const double linear = rest[i] + f * rest[i + ns];
+            s[i] = -(terms > 2 ? linear + f * f * rest[i + 2 * ns] : linear);
+        }
         gemv_few(s, -h, m->K, x, ns, ns, p->n);
         gemv_few(s, -1, m->V, v, ns, ns, ns);
         minor_solve(m, s, ns);
@@ -324,14 +322,17 @@ INTO static inline void run(int ns, const struct response *p, double *d, const s
     }
 }
 
-void response_run(const struct response *p, double *d, const double *c, const double *g, const struct powers *more,
-                  double *x, double *v, double *s, int add)
+void response_run(const struct response *p, double *d, const struct powers *rest, double *x, double *v, double *scratch,
+                  int add)
 {
-    const struct run o = {c, g, more, x, v, s, add};
-    BY_FEW(run, p->ns, p, d, &o);
+    const struct run o = {rest->x, x, v, scratch, add};
+    if (rest->terms > 2)
+        BY_FEW(run, p->ns, 3, p, d, &o);
+    else
+        BY_FEW(run, p->ns, 2, p, d, &o);
 }
 
-void response_correct(struct response *p, struct decouple *dec, double *Du, double *c, double *g, const double *R,
+void response_correct(struct response *p, struct decouple *dec, double *Du, double *rest, const double *R,
                       const double *dxn)
 {
     int ns = p->ns, nl = p->nl, cols = 2 * ns;
@@ -347,7 +348,7 @@ void response_correct(struct response *p, struct decouple *dec, double *Du, doub
     }
     for (int i = 0; i < nl; i++) Du[i] = -Du[i];
     for (int i = 0; i < ns; i++) {
-        g[i] = p->h * p->s[i];
-        c[i] = p->h * p->s[ns + i];
+        rest[i] = p->h * p->s[ns + i];
+        rest[ns + i] = p->h * p->s[i];
     }
 }

@@ -119,21 +119,20 @@ static inline bool response_lacks(const struct response *p, const struct decoupl
  * structure does not allow it: dec has to go dense. */
 enum status response_slow(struct response *p, struct decouple *dec, const double *q, double t, struct trouble *why);
 
-/* sum of x_m f_k^m, x [ns x terms]. */
+/* A residual of the fast rows, sum of x_m f_k^m. */
 struct powers {
-    const double *x;
-    int terms;
+    const double *x; /* [ns x terms] */
+    int terms;       /* 2 or 3 */
 };
 
-/* d_k [ns x ratio] := the linear answer of the minor steps to a residual c + f_k g + sum of `more` (NULL: none) of
- * the fast rows, c, g [ns], from displacements x and velocities v [ns] at the start (overwritten).  add: it is added
- * to d_k. */
-void response_run(const struct response *p, double *d, const double *c, const double *g, const struct powers *more,
-                  double *x, double *v, double *scratch, int add);
+/* d_k [ns x ratio] := the linear answer of the minor steps to this residual, from displacements x and velocities v [ns] at the
+ * start (overwritten).  add: it is added to d_k. */
+void response_run(const struct response *p, double *d, const struct powers *rest, double *x, double *v, double *scratch,
+                  int add);
 
-/* Du [nl] := the correction of the slow unknown for slow rows R [nl] and a change dxn [ns] of x_n (S12); c, g [ns]:
- * its effect on the fast rows, for response_run(). */
-void response_correct(struct response *p, struct decouple *dec, double *Du, double *c, double *g, const double *R,
+/* Du [nl] := the correction of the slow unknown for slow rows R [nl] and a change dxn [ns] of x_n (S12); rest [ns x 2]:
+ * its effect on the fast rows, constant and linear in f_k, for response_run(). */
+void response_correct(struct response *p, struct decouple *dec, double *Du, double *rest, const double *R,
                       const double *dxn);
 
 #endif

@@ -69,10 +69,10 @@ static void reserve(struct subcycle *c, int ratio, struct arena *life)
 static void take_vectors(struct subcycle *c, struct arena *life)
 {
     double **slow[] = {&c->du, &c->u0, &c->w, &c->pull, &c->R, &c->slow, &c->Du};
-    double **fast[] = {&c->vs, &c->dx, &c->xn,   &c->xbefore, &c->dsum, &c->dmean, &c->esum, &c->es,
-                       &c->cs, &c->c,  &c->rest, &c->g,       &c->s1,   &c->s2,    &c->s3};
+    double **fast[] = {&c->vs, &c->dx, &c->xn,   &c->xbefore, &c->dsum, &c->dmean, &c->esum,
+                       &c->es, &c->cs, &c->rest, &c->s1,      &c->s2,   &c->s3,    &c->xmid};
     double **place[] = {&c->q, &c->qmid, &c->qend, &c->qnext, &c->qn, &c->qbar, &c->qcentre};
-    double **whole[] = {&c->dq, &c->v, &c->a, &c->r, &c->vbar, &c->abar, &c->sum, &c->way};
+    double **whole[] = {&c->dq, &c->v, &c->a, &c->r, &c->vbar, &c->abar, &c->sum, &c->none};
     for (size_t i = 0; i < sizeof slow / sizeof *slow; i++) *slow[i] = TAKE(life, double, c->nl);
     for (size_t i = 0; i < sizeof fast / sizeof *fast; i++) *fast[i] = TAKE(life, double, c->ns);
     for (size_t i = 0; i < sizeof place / sizeof *place; i++) *place[i] = TAKE(life, double, c->ode->nq);
@@ -101,6 +101,8 @@ static void open(struct stepper *s, struct arena *life)
     forecast_open(&c->forecast, &c->dec, life);
     c->near = o->move ? c->nl : c->dec.ml;
     c->direct = o->straight && o->pointwise && o->move && o->move->onward;
+    c->outright = c->direct || !o->move;
+    c->passes = !c->outright || !o->pointwise;
     take_vectors(c, life);
     subcycle_last_open(c, life);
     subcycle_coarse_open(c, life);

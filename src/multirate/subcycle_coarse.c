@@ -36,6 +36,8 @@ void subcycle_coarse_open(struct subcycle *c, struct arena *life)
 {
     c->coarse.nodes = TAKE(life, struct nodes, 1);
     c->coarse.left = TAKE_MATRIX(life, double, c->ns, COARSE_POINTS);
+    c->coarse.sum = TAKE(life, double, c->dec.ml);
+    c->moved = TAKE_MATRIX(life, double, c->ns, 2);
 }
 
 /* May a step of at least so many minor steps have coarse sweeps? */
@@ -70,19 +72,26 @@ bool subcycle_coarse_next(const struct subcycle *c)
     return c->newton.way ? c->newton.count == 1 && able(c, LEAST) : c->newton.count == 2 && able(c, THIRD);
 }
 
-INTO static inline void add_rows(int ns, double *rows, double s, const double *A, const double *e, int ml)
+/* rows := from + s times what fast unknowns e add to the slow rows of the fast bodies. */
+INTO static inline void with_answer(struct subcycle *c, double *rows, const double *from, double s, const double *e)
 {
-    gemv_few(rows, s, A, e, ml, ns, ml);
+    const int ml = c->dec.ml;
+    if (c->dec.reach)
+        gemv_from(rows, from, s, c->dec.MsW, e, ml, c->ns, ml);
+    else
+        copy(rows, from, ml);
+    if (c->resp.drives) dense_gemv(rows, s, c->resp.Q, e, ml, c->ns, ml);
 }
 
 void subcycle_coarse_keep(struct subcycle *c, int k)
 {
-    const int ml = c->dec.ml;
     if (k < c->ratio - JUMP_TERMS && !able(c, c->newton.way ? LEAST : THIRD)) return;
-    double *rows = c->coarse.rows + (long)k * ml, per = -1 / c->h;
-    copy(rows, c->r + c->ns, ml);
-    if (c->dec.reach) BY_FEW(add_rows, c->ns, rows, per, c->dec.MsW, c->es, ml);
-    if (c->resp.drives) BY_FEW(add_rows, c->ns, rows, per, c->resp.Q, c->es, ml);
+    with_answer(c, c->coarse.rows + (long)k * c->dec.ml, c->r + c->ns, -1 / c->h, c->es);
+}
+
+void subcycle_coarse_kept(struct subcycle *c)
+{
+    if (able(c, c->newton.way ? LEAST : THIRD)) with_answer(c, c->coarse.sum, c->R, -1, c->esum);
 }
 
 /* power := coefficients of the polynomial through 1 at f[i] and 0 at the other f. */
@@ -114,29 +123,38 @@ static void find_nodes(struct nodes *p, int n)
     }
 }
 
+INTO static inline void slow_sums(int ml, double *restrict R, const double *restrict r, const double *restrict rows,
+                                  double h)
+{
+    for (int j = 0; j < ml; j++) R[j] += h * (r[j] - rows[j]);
+}
+
+INTO static inline void fast_sums(int ns, double *restrict left, const double *restrict power,
+                                  const double *restrict es)
+{
+    for (int m = 0; m < COARSE_POINTS; m++)
+        for (int j = 0; j < ns; j++) left[j + m * ns] += power[m] * es[j];
+}
+
 /* Adds node i, whose rows are c->es and c->r, to the sums. */
 static void node_sums(struct subcycle *c, const struct nodes *p, int i)
 {
     const int ns = c->ns, ml = c->dec.ml;
-    const double *rows = c->coarse.rows + (long)p->at[i] * ml, h = c->h * p->weight[i];
-    for (int j = 0; j < ml; j++) c->R[j] += h * (c->r[ns + j] - rows[j]);
-    for (int m = 0; m < COARSE_POINTS; m++)
-        for (int j = 0; j < ns; j++) c->coarse.left[j + m * ns] += p->power[i][m] * c->es[j];
-    for (int j = 0; j < ns; j++) {
-        c->push += p->weight[i] * c->es[j] * c->v[j];
-        c->rest[j] = c->es[j];
-    }
+    const double weight = p->weight[i];
+    slow_sums(ml, c->R, c->r + ns, c->coarse.rows + (long)p->at[i] * ml, c->h * weight);
+    BY_FEW(fast_sums, ns, c->coarse.left, p->power[i], c->es);
+    c->push += weight * dot(c->es, c->v, ns);
+    copy(c->rest, c->es, ns);
     minor_solve(&c->resp.one, c->es, ns);
-    c->square += p->weight[i] * dot(c->rest, c->es, ns);
+    c->square += weight * dot(c->rest, c->es, ns);
 }
 
-static enum status node(struct subcycle *c, const struct nodes *p, int i, struct trouble *why)
+static enum status node(struct subcycle *c, const struct nodes *p, int i, struct instant *x, struct trouble *why)
 {
-    struct instant x = {.q = c->qmid, .v = c->v, .a = c->a, .qa = c->q, .qb = c->ode->pointwise ? NULL : c->qend};
     const int k = p->at[i];
     double power[POWER_CHANNELS], dk = 0;
-    subcycle_minor_time(c, &x, k);
-    TRY(subcycle_minor_rows(c, c->d + (long)k * c->ns, power, &dk, &x, why));
+    subcycle_minor_time(c, x, k);
+    TRY(subcycle_minor_rows(c, k, power, &dk, x, why));
     c->coarse.varied |= sharpened(&dk);
     c->coarse.varied |= dk > STALE_SLOPE;
     subcycle_book(c, c->h * p->weight[i], power);
@@ -146,25 +164,24 @@ static enum status node(struct subcycle *c, const struct nodes *p, int i, struct
 
 enum status subcycle_coarse_rows(struct subcycle *c, struct trouble *why)
 {
+    struct instant x = subcycle_half(c);
     struct nodes *p = c->coarse.nodes;
     const bool straight = !c->ode->move || c->ode->straight;
     if (p->n != c->ratio) find_nodes(p, c->ratio);
     subcycle_rewind(c);
+    copy(c->R, c->coarse.sum, c->dec.ml);
     zero(c->coarse.left, c->ns * COARSE_POINTS);
     for (int k = 0, i = 0; k <= p->at[COARSE_POINTS - 1]; k++) {
         const double *d = c->d + (long)k * c->ns;
         if (stop) return stop_status();
-        if (k == p->at[i] && straight) subcycle_place(c, k);
-        if (k == p->at[i]) TRY(node(c, p, i++, why));
-        if (straight) {
-            subcycle_fast_velocity(c, d);
-        } else {
+        if (k == p->at[i] && straight && c->passes) subcycle_place(c, k);
+        if (k == p->at[i]) TRY(node(c, p, i++, &x, why));
+        if (!straight) {
             subcycle_velocity(c, d);
             subcycle_point(c, c->q, c->q, 1, subcycle_minor_end(c, k));
         }
         subcycle_advance(c, d);
     }
-    for (int k = 0; k < c->ratio; k++) vector_move(c->R, c->R, c->h, c->coarse.rows + (long)k * c->dec.ml, c->dec.ml);
     zero(c->dsum, c->ns);
     return OK;
 }

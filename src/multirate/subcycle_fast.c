@@ -23,11 +23,18 @@ INTO static inline void with_slow_bodies(int ns, struct subcycle *c, const doubl
     if (c->dec.reach) gemv_few(es, 1, c->dec.WMW, off, ns, ns, ns);
 }
 
-enum status subcycle_minor_rows(struct subcycle *c, const double *d, double *power, double *dk, struct instant *x,
+struct instant subcycle_half(const struct subcycle *c)
+{
+    return (struct instant){
+        .q = c->qmid, .v = c->v, .a = c->a, .qa = c->passes ? c->q : NULL, .qb = c->ode->pointwise ? NULL : c->qend};
+}
+
+enum status subcycle_minor_rows(struct subcycle *c, int k, double *power, double *dk, struct instant *x,
                                 struct trouble *why)
 {
-    int ns = c->ns;
-    subcycle_half_way(c, d, x->t);
+    const int ns = c->ns;
+    const double *d = c->d + (long)k * ns;
+    subcycle_half_way(c, d, k, x->t);
     if (x->qb) subcycle_point(c, c->qend, c->q, 1, x->tb);
     TRY(c->ode->ops->resid(c->ode, c->r, power, dk, x, FAST, why));
     c->effort->fast++;
@@ -58,44 +65,48 @@ INTO static inline void correct(int ns, struct subcycle *c, double *restrict d)
     c->square += square;
 }
 
-/* d_k corrected: once, or where its slopes have changed until it stands by itself (or has had its turn:
- * the next sweep comes back to it). */
-static enum status minor(struct subcycle *c, double *d, double *power, struct instant *x, struct trouble *why)
+/* d_k corrected until it stands by itself, or has had its turn: the next sweep comes back to it. */
+APART enum status minor_alone(struct subcycle *c, int k, double *power, struct instant *x, struct trouble *why)
 {
-    double enough = larger(.1 * c->newton.tol, 1e-13), before = INFINITY;
-    for (int inner = 0, alone = 0, slow = 0; inner < INNER; inner++) {
-        double dk = 0;
+    const double enough = larger(.1 * c->newton.tol, 1e-13);
+    double before = INFINITY, dk = 0;
+    TRY(subcycle_refresh_here(c, x, why));
+    for (int inner = 1;; inner++) {
+        BY_FEW(correct, c->ns, c, c->d + (long)k * c->ns);
+        const double err = minor_error(c);
+        if (inner == INNER || err <= enough || (err > .5 * before && err < 1e-7)) return OK;
+        const bool slow = err > .1 * before;
         const long fast = c->effort->fast;
-        TRY(subcycle_minor_rows(c, d, power, &dk, x, why));
-        if (inner > 0) subcycle_spent(c, SPENT_ON_REPEATED, c->effort->slow, fast);
-        c->coarse.varied |= sharpened(&dk);
-        c->coarse.varied |= dk > STALE_SLOPE;
-        if (dk > STALE_SLOPE || slow) {
-            TRY(subcycle_refresh_here(c, x, why));
-            alone = 1;
-        }
-        BY_FEW(correct, c->ns, c, d);
-        double err = alone ? minor_error(c) : 0;
-        if (err <= enough || (err > .5 * before && err < 1e-7)) break;
-        slow = err > .1 * before;
         before = err;
+        TRY(subcycle_minor_rows(c, k, power, &dk, x, why));
+        subcycle_spent(c, SPENT_ON_REPEATED, c->effort->slow, fast);
+        sharpened(&dk);
+        if (dk > STALE_SLOPE || slow) TRY(subcycle_refresh_here(c, x, why));
     }
+}
+
+/* d_k corrected: once, where its slopes have not changed. */
+static enum status minor(struct subcycle *c, int k, double *power, struct instant *x, struct trouble *why)
+{
+    double dk = 0;
+    TRY(subcycle_minor_rows(c, k, power, &dk, x, why));
+    const bool sharp = sharpened(&dk), changed = dk > STALE_SLOPE;
+    c->coarse.varied |= sharp | changed;
+    if (changed) return minor_alone(c, k, power, x, why);
+    BY_FEW(correct, c->ns, c, c->d + (long)k * c->ns);
     return OK;
 }
 
-/* d of the minor step leaves dsum as it was when the rows were taken. */
-INTO static inline void corrected(int ns, double *restrict dsum, double *restrict esum, const double *restrict d,
-                                  const double *restrict e)
+/* d of the minor step leaves dsum as it was when the rows were taken; returns the power of the residual. */
+INTO static inline double corrected(int ns, double *restrict dsum, double *restrict esum, const double *restrict d,
+                                    const double *restrict e, const double *restrict rest, const double *restrict v)
 {
+    double push = 0;
     for (int i = 0; i < ns; i++) {
         dsum[i] -= d[i] + e[i];
         esum[i] += e[i];
+        push += rest[i] * v[i];
     }
-}
-
-INTO static inline double with_power(int ns, double push, const double *rest, const double *v)
-{
-    for (int i = 0; i < ns; i++) push += rest[i] * v[i];
     return push;
 }
 
@@ -103,15 +114,13 @@ static void minor_sums(struct subcycle *c, const double *d)
 {
     const int ns = c->ns;
     vector_move(c->R, c->R, c->h, c->r + ns, c->dec.ml);
-    BY_FEW(corrected, ns, c->dsum, c->esum, d, c->es);
-    c->push = BY_FEW(with_power, ns, c->push, c->rest, c->v);
+    c->push += BY_FEW(corrected, ns, c->dsum, c->esum, d, c->es, c->rest, c->v);
 }
 
 void subcycle_rewind(struct subcycle *c)
 {
-    copy(c->q, c->q0, c->ode->nq);
+    if (c->passes) copy(c->q, c->q0, c->ode->nq);
     if (c->direct) copy(c->qmid, c->q0, c->ode->nq);
-    if (c->direct) zero(c->way, c->n);
     copy(c->vs, c->v0, c->ns);
     copy(c->xbefore, c->xn, c->ns);
     zero(c->R, c->dec.ml);
@@ -123,9 +132,9 @@ void subcycle_rewind(struct subcycle *c)
 static void next_point(struct subcycle *c, const double *d, double t)
 {
     double *before = c->q;
-    if (c->direct || !c->ode->move) {
+    if (c->outright) {
         subcycle_fast_velocity(c, d);
-        decouple_on(&c->dec, c->direct ? c->way : c->q, c->h, c->w, c->v, c->near);
+        decouple_on(&c->dec, c->q, c->h, c->w, c->v, c->near);
         return;
     }
     subcycle_velocity(c, d);
@@ -142,9 +151,15 @@ void subcycle_minor_time(const struct subcycle *c, struct instant *x, int k)
     x->t = x->ta + (x->tb - x->ta) / 2;
 }
 
+INTO static inline void keep(int ns, double *restrict to, const double *restrict d)
+{
+    for (int i = 0; i < ns; i++) to[i] = d[i];
+}
+
 enum status subcycle_fast_rows(struct subcycle *c, struct trouble *why)
 {
-    struct instant x = {.q = c->qmid, .v = c->v, .a = c->a, .qa = c->q, .qb = c->ode->pointwise ? NULL : c->qend};
+    struct instant x = subcycle_half(c);
+    const struct reached from = {c->xn, c->vs, c->w};
     struct forecast *f = &c->forecast;
     subcycle_rewind(c);
     const double *jump = c->guessed ? subcycle_jump(c) : NULL;
@@ -153,22 +168,21 @@ enum status subcycle_fast_rows(struct subcycle *c, struct trouble *why)
         if (stop) return stop_status();
         subcycle_minor_time(c, &x, k);
         if (c->guessed) {
-            forecast_minor(f, &c->resp, d, c->xn, c->vs, c->w, jump, k);
-            copy(c->dbefore + (long)k * c->ns, d, c->ns);
+            forecast_minor(f, &c->resp, d, &from, jump, k);
+            BY_FEW(keep, c->ns, c->dbefore + (long)k * c->ns, d);
         }
-        TRY(minor(c, d, power, &x, why));
-        if (c->guessed) forecast_force(f, &c->resp, d, c->xn, c->vs, c->w, c->local ? NULL : c->rest, k);
+        TRY(minor(c, k, power, &x, why));
+        if (c->guessed) forecast_force(f, &c->resp, d, &from, c->local ? NULL : c->rest, k);
         c->coarse.powered |= subcycle_book(c, c->h, power);
         minor_sums(c, d);
         subcycle_coarse_keep(c, k);
-        if (k + 1 < c->ratio) {
+        if (c->passes && k + 1 < c->ratio) { /* where the last one ends is composed when all unknowns are corrected */
             next_point(c, d, x.tb);
             x.qa = c->q;
-        } else { /* nobody asks where the last one ends: that is composed when all unknowns are corrected */
-            subcycle_fast_velocity(c, d);
         }
         subcycle_advance(c, d);
     }
+    subcycle_coarse_kept(c);
     c->guessed = 0;
     return OK;
 }

@@ -50,6 +50,18 @@ void subcycle_last_keep(struct subcycle *c)
     o->h = c->h;
 }
 
+/* jump [ns] -= (M_s W)' (du - du_last)/(n h). */
+INTO static inline void slow_jump(int ns, const struct subcycle *c, double *restrict jump, const double *restrict MsW,
+                                  const double *restrict du, const double *restrict last)
+{
+    const int ml = c->dec.ml;
+    const double per = 1 / c->h;
+    for (int j = 0; j < ml; j++) {
+        const double s = per * (du[j] / c->ratio - c->h * last[j]);
+        for (int i = 0; i < ns; i++) jump[i] -= MsW[j + (long)i * ml] * s;
+    }
+}
+
 /* J_k without B_k. */
 static void constant_jump(struct subcycle *c, double *jump)
 {
@@ -58,47 +70,33 @@ static void constant_jump(struct subcycle *c, double *jump)
     const double *K = c->resp.one.K, per = 1 / c->h;
     share_of(c, jump);
     for (int i = 0; i < ns; i++) jump[i] = per * (o->share[i] - jump[i]);
-    for (int j = 0; j < ml && c->dec.reach; j++) {
-        const double s = per * (c->du[j] / c->ratio - c->h * c->forecast.ay[j]);
-        for (int i = 0; i < ns; i++) jump[i] -= c->dec.MsW[j + (long)i * ml] * s;
-    }
+    if (c->dec.reach) BY_FEW(slow_jump, ns, c, jump, c->dec.MsW, c->du, c->forecast.ay);
     gemv_few(jump, -1, K, o->x, ns, ns, c->n);
     if (c->resp.drives) dense_gemv(jump, -1, K + (long)ns * c->n, o->y, ns, ml, c->n);
 }
 
-/* B_k of the minor steps, from the last one back [ns x JUMP_TERMS]: what one row of W has changed by. */
-INTO static inline void row_jumps(int ns, const struct subcycle *c, double *restrict B, int j)
+/* b [ns] := B_k of the minor step before the last one by m. */
+INTO static inline void moving_jump(int ns, const struct subcycle *c, double *restrict b, const double *restrict a,
+                                    const double *restrict rows)
 {
     const struct last_step *o = &c->last;
-    const double *W = c->dec.W + j, *was = o->W + j, *MsW = c->dec.MsW + j;
+    const double *W = c->dec.W, *was = o->W, *MsW = c->dec.MsW, *Mss = c->dec.Mss;
     const int nl = c->nl, ml = c->dec.ml;
-    double *restrict dW = c->s1;
-    for (int i = 0; i < ns; i++) dW[i] = W[(long)i * nl] - was[(long)i * nl];
-    for (int m = 0; m < o->terms; m++) {
-        const double *a = o->a + m * ns, row = o->rows[j + m * ml];
-        double *b = B + m * ns, s = 0;
-        for (int i = 0; i < ns; i++) s += dW[i] * a[i];
-        for (int i = 0; i < ns; i++) b[i] += dW[i] * row + MsW[(long)i * ml] * s;
+    for (int i = 0; i < ns; i++) b[i] = 0;
+    for (int j = 0; j < ml && c->dec.reach; j++, W++, was++, MsW++) {
+        double s = 0;
+        for (int i = 0; i < ns; i++) s += (W[(long)i * nl] - was[(long)i * nl]) * a[i];
+        for (int i = 0; i < ns; i++) b[i] += (W[(long)i * nl] - was[(long)i * nl]) * rows[j] + MsW[(long)i * ml] * s;
     }
-}
-
-/* The same of M_SS. */
-INTO static inline void mass_jumps(int ns, const struct subcycle *c, double *restrict B)
-{
-    const struct last_step *o = &c->last;
     for (int j = 0; j < ns; j++)
-        for (int i = 0; i < ns; i++) {
-            const double dM = c->dec.Mss[i + j * ns] - o->Mss[i + j * ns];
-            for (int m = 0; m < o->terms; m++) B[i + m * ns] += dM * o->a[j + m * ns];
-        }
+        for (int i = 0; i < ns; i++) b[i] += (Mss[i + j * ns] - o->Mss[i + j * ns]) * a[j];
 }
 
 static void moving_jumps(struct subcycle *c, double *B)
 {
+    const struct last_step *o = &c->last;
     const int ns = c->ns;
-    zero(B, ns * JUMP_TERMS);
-    for (int j = 0; j < c->dec.ml && c->dec.reach; j++) BY_FEW(row_jumps, ns, c, B, j);
-    BY_FEW(mass_jumps, ns, c, B);
+    for (int m = 0; m < o->terms; m++) BY_FEW(moving_jump, ns, c, B + m * ns, o->a + m * ns, o->rows + m * c->dec.ml);
 }
 
 const double *subcycle_jump(struct subcycle *c)

@@ -82,6 +82,7 @@ struct coarse {
     double whole;        /* share of the steps without one in which two whole sweeps did not suffice, likewise */
     struct nodes *nodes; /* the minor steps that are evaluated */
     double *rows;        /* [ml x ratio] slow rows of the fast bodies in all minor steps, after the last whole sweep */
+    double *sum;         /* [ml] H times their mean */
     double *left;        /* [ns x COARSE_POINTS] residual of the fast rows, as coefficients of powers of f_k */
 };
 
@@ -130,14 +131,17 @@ struct subcycle {
     double *vs, *xn, *xbefore; /* [ns] v_S,k and x_k, after the last v_S,n and x_n; x_n before the sweep */
     double *q, *qmid, *qend;   /* [nq] q_k, q_k+1/2, q_k+1 */
     double *qnext;             /* [nq] q_k+1 when d_k has been corrected */
-    bool direct;   /* loops are closed in the middles only: these are found from q0, and nobody asks for q_k */
-    double *way;   /* [n] direct: q_k (-) q0 */
-    double *v, *a; /* [n] v_k, a_k; of the slow rows the near ones */
-    double *dx;    /* [ns] dx_k */
-    double *es;    /* [ns] residual r_k,S of the fast rows, then the correction of d_k */
-    double *rest;  /* [ns] r_k,S */
-    double *esum;  /* [ns] sum of these corrections */
-    double *sum;   /* [n] sizes of the corrections of a sweep */
+    bool outright;             /* the middles are found from q0, by their whole displacement */
+    bool direct;               /* so they are where loops are closed, which is done there only */
+    bool passes;               /* somebody asks for q_k */
+    double *xmid;              /* [ns] x_k + dx_k/2 */
+    double *none;              /* [n] zeros */
+    double *v, *a;             /* [n] v_k, a_k; of the slow rows the near ones */
+    double *dx;                /* [ns] dx_k */
+    double *es;                /* [ns] residual r_k,S of the fast rows, then the correction of d_k */
+    double *rest;              /* [ns] r_k,S */
+    double *esum;              /* [ns] sum of these corrections */
+    double *sum;               /* [n] sizes of the corrections of a sweep */
 
     /* The end of the step, and the slow bodies. */
     double *qn;                 /* [nq] q_n */
@@ -150,7 +154,7 @@ struct subcycle {
     double *dsum;               /* [ns] sum of the d_k that r_s is for, less those found since */
     double *dmean;              /* [ns] its mean, as it was for r_s */
     double *R, *Du;             /* [nl] slow rows (S8), the correction of du */
-    double *c, *g;              /* [ns] effect of that correction on the fast rows: constant, linear in k */
+    double *moved;              /* [ns x 2] effect of that correction on the fast rows: constant, linear in f_k */
 
     double *r;                   /* [n] of the last evaluation */
     double *dq;                  /* [n] a displacement */
@@ -190,15 +194,18 @@ void subcycle_point(struct subcycle *c, double *x1, const double *x0, double s, 
 /* The same where x1 holds a position nearby, from which loops are closed; x1 is not x0.  open: as onward() of ode2_move has
  * it. */
 void subcycle_onward(struct subcycle *c, double *x1, const double *x0, double s, double t, int open);
-/* v_k and a_k of d_k (S4), and qmid := the point at time t, half-way along v_k. */
-void subcycle_half_way(struct subcycle *c, const double *d, double t);
-/* To the start of minor step k, after those that have led to x_k = c->xn, directly from q0: where motion_point() is additive
- * (ode2's `straight`). */
+/* v_k and a_k of d_k (S4), and qmid := the point at time t, half-way through minor step k. */
+void subcycle_half_way(struct subcycle *c, const double *d, int k, double t);
+/* q_k, after the minor steps that have led to x_k = c->xn, directly from q0: where motion_point() is additive (ode2's
+ * `straight`). */
 void subcycle_place(struct subcycle *c, int k);
-/* x_n, v_S after d_k at v_k (S3). */
+/* v_k,S of d_k, and x_n, v_S after it (S3). */
 void subcycle_advance(struct subcycle *c, const double *d);
 /* When minor step k ends. */
-double subcycle_minor_end(const struct subcycle *c, int k);
+static inline double subcycle_minor_end(const struct subcycle *c, int k)
+{
+    return k + 1 < c->ratio ? c->t0 + (k + 1) * c->h : c->t1;
+}
 /* w, x_n, v_S at the end, the sum of the d_k, and q_n if it is needed. */
 void subcycle_compose(struct subcycle *c);
 /* q_n, after subcycle_compose(). */
@@ -212,12 +219,13 @@ double subcycle_middle(struct subcycle *c);
 enum status subcycle_slow_bodies(struct subcycle *c, struct trouble *why);
 /* All minor steps: every d_k corrected (S6); R: part of the fast bodies in the slow rows. */
 enum status subcycle_fast_rows(struct subcycle *c, struct trouble *why);
-/* es: the fast rows (S6) of a minor step at the trial point of d, x; c->r its fast bodies' share. */
-enum status subcycle_minor_rows(struct subcycle *c, const double *d, double *power, double *dk, struct instant *x,
+/* es: the fast rows (S6) of minor step k at the trial point of its d_k, x; c->r its fast bodies' share. */
+enum status subcycle_minor_rows(struct subcycle *c, int k, double *power, double *dk, struct instant *x,
                                 struct trouble *why);
 /* Back to the start of the major step, before the minor ones are gone through. */
 void subcycle_rewind(struct subcycle *c);
-/* Times of minor step k. */
+/* Half-way through minor steps, but for the times; those of minor step k. */
+struct instant subcycle_half(const struct subcycle *c);
 void subcycle_minor_time(const struct subcycle *c, struct instant *x, int k);
 
 /* --- coarse sweeps ------------------------------------------------------------------------------ */
@@ -229,6 +237,8 @@ void subcycle_coarse_plan(struct subcycle *c);
 bool subcycle_coarse_next(const struct subcycle *c);
 /* Keeps the slow rows of minor step k, as they are after its correction c->es, where they will be needed. */
 void subcycle_coarse_keep(struct subcycle *c, int k);
+/* The same of their sum, which is in R, after all minor steps. */
+void subcycle_coarse_kept(struct subcycle *c);
 /* As subcycle_fast_rows(), but evaluates a few minor steps only: the change of their rows since the last whole sweep is
  * interpolated for the others, and the residual of the fast rows left in c->coarse.left. */
 enum status subcycle_coarse_rows(struct subcycle *c, struct trouble *why);

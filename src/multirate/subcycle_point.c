@@ -1,9 +1,9 @@
 /* subcycle_point.c -- where du and d_k lead: the points of the minor steps (S2)-(S4), and the end of the major one
  * (S9).
  *
- * Where loops are closed and displacements add up (ode2's `straight`) the middle of a minor step is found from q0, by its whole
- * displacement; dependents go on from the middle before it.  q_k then need not be closed at all, and q_n only of the step that
- * has been found.
+ * Where displacements add up (ode2's `straight`) the middle of a minor step is found from q0, by its whole displacement; if
+ * nothing looks at the ends of minor steps, q_k then need not be known at all.  Where loops are closed, dependents go on from the
+ * middle before it, and q_n is closed only of the step that has been found.
  *
  * The minor steps move only what fast bodies and elements know of the slow coordinates, the first `near`; the
  * others follow at the end (all of them where positions have a move of their own). */
@@ -52,24 +52,35 @@ void subcycle_onward(struct subcycle *c, double *x1, const double *x0, double s,
     c->ode->move->onward(c->ode, x1, x0, c->dq, s, t, open);
 }
 
-/* The same, and a_k. */
-INTO static inline void motion(int ns, double *restrict v, double *restrict a, const double *restrict vs,
-                               const double *restrict d, double per)
+/* The same, a_k, and x half-way. */
+INTO static inline void motion(int ns, double *restrict v, double *restrict a, double *restrict x,
+                               const double *restrict vs, const double *restrict xn, const double *restrict d, double h)
 {
     for (int i = 0; i < ns; i++) {
-        v[i] = vs[i] + d[i] / 2;
-        a[i] = per * d[i];
+        const double vi = vs[i] + d[i] / 2;
+        v[i] = vi;
+        a[i] = d[i] / h;
+        x[i] = xn[i] + h / 2 * vi;
     }
 }
 
-void subcycle_half_way(struct subcycle *c, const double *d, double t)
+void subcycle_half_way(struct subcycle *c, const double *d, int k, double t)
 {
-    const double *from = c->direct ? c->way : c->q;
-    BY_FEW(motion, c->ns, c->v, c->a, c->vs, d, 1 / c->h);
-    if (c->alpha > 0) dense_gemv(c->v, .5, c->resp.A, d, c->ns, c->ns, c->ns);
-    if (c->direct || !c->ode->move) {
-        double *to = c->direct ? c->dq : c->qmid;
-        decouple_there(&c->dec, c->v, c->a, to, from, c->h / 2, c->w, c->pull, c->near);
+    BY_FEW(motion, c->ns, c->v, c->a, c->xmid, c->vs, c->xn, d, c->h);
+    if (c->alpha > 0) {
+        dense_gemv(c->v, .5, c->resp.A, d, c->ns, c->ns, c->ns);
+        vector_move(c->xmid, c->xn, c->h / 2, c->v, c->ns);
+    }
+    if (c->outright) {
+        const struct decouple_there there = {.v = c->v,
+                                             .a = c->a,
+                                             .q1 = c->direct ? c->dq : c->qmid,
+                                             .q0 = c->direct ? c->none : c->q0,
+                                             .x = c->xmid,
+                                             .y = c->w,
+                                             .b = c->pull,
+                                             .s = (k + .5) * c->h};
+        decouple_there(&c->dec, &there, c->near);
         if (c->direct) motion_onward(c->ode, c->qmid, c->q0, c->dq, 1, t, OPEN_BEFORE | OPEN_AFTER);
         return;
     }
@@ -78,23 +89,32 @@ void subcycle_half_way(struct subcycle *c, const double *d, double t)
     subcycle_onward(c, c->qmid, c->q, .5, t, OPEN_AFTER);
 }
 
-INTO static inline void advance(int ns, double *restrict x, double *restrict vs, const double *restrict v,
+INTO static inline void advance(int ns, double *restrict v, double *restrict x, double *restrict vs,
                                 const double *restrict d, double h)
 {
     for (int i = 0; i < ns; i++) {
-        x[i] += h * v[i];
+        const double vi = vs[i] + d[i] / 2;
+        v[i] = vi;
+        x[i] += h * vi;
         vs[i] += d[i];
     }
 }
 
-void subcycle_advance(struct subcycle *c, const double *d)
+/* The same where A is not zero. */
+APART void advance_damped(struct subcycle *c, const double *d)
 {
-    BY_FEW(advance, c->ns, c->xn, c->vs, c->v, d, c->h);
+    const int ns = c->ns;
+    subcycle_fast_velocity(c, d);
+    vector_move(c->xn, c->xn, c->h, c->v, ns);
+    vector_move(c->vs, c->vs, 1, d, ns);
 }
 
-double subcycle_minor_end(const struct subcycle *c, int k)
+void subcycle_advance(struct subcycle *c, const double *d)
 {
-    return k + 1 < c->ratio ? c->t0 + (k + 1) * c->h : c->t1;
+    if (c->alpha > 0)
+        advance_damped(c, d);
+    else
+        BY_FEW(advance, c->ns, c->v, c->xn, c->vs, d, c->h);
 }
 
 /* dq := P (k h w, x_k). */
@@ -109,10 +129,7 @@ static void displacement(struct subcycle *c, int k)
 void subcycle_place(struct subcycle *c, int k)
 {
     displacement(c, k);
-    if (c->direct)
-        copy(c->way, c->dq, c->n);
-    else
-        motion_point(c->ode, c->q, c->q0, c->dq, 1, k < c->ratio ? c->t0 + k * c->h : c->t1);
+    motion_point(c->ode, c->q, c->q0, c->dq, 1, k < c->ratio ? c->t0 + k * c->h : c->t1);
 }
 
 /* q_n, v_S,n and x_n by all minor steps, one after the other. */
@@ -153,28 +170,25 @@ static void fast_steps(struct subcycle *c)
     zero(c->dsum, c->ns);
     for (int k = 0; k < c->ratio; k++) {
         const double *d = c->d + (long)k * c->ns;
-        subcycle_fast_velocity(c, d);
         subcycle_advance(c, d);
         for (int i = 0; i < c->ns; i++) c->dsum[i] += d[i];
     }
 }
 
-/* The same where nothing is damped: each coordinate goes by itself. */
-static void plain_steps(struct subcycle *c)
+/* The same where nothing is damped. */
+INTO static inline void plain_steps(int ns, double *restrict v, double *restrict x, double *restrict vs,
+                                    double *restrict sum, const double *restrict v0, const double *restrict d, double h,
+                                    int n)
 {
-    const int ns = c->ns, n = c->ratio;
-    const double h = c->h;
-    for (int i = 0; i < ns; i++) {
-        const double *d = c->d + i;
-        double vs = c->v0[i], x = 0, sum = 0, v = 0;
-        for (int k = 0; k < n; k++, d += ns) {
-            v = vs + *d / 2;
-            x += h * v;
-            vs += *d;
-            sum += *d;
+    for (int i = 0; i < ns; i++) vs[i] = v0[i], x[i] = sum[i] = 0;
+    for (int k = 0; k < n; k++, d += ns)
+        for (int i = 0; i < ns; i++) {
+            const double vi = vs[i] + d[i] / 2;
+            v[i] = vi;
+            x[i] += h * vi;
+            vs[i] += d[i];
+            sum[i] += d[i];
         }
-        c->v[i] = v, c->vs[i] = vs, c->xn[i] = x, c->dsum[i] = sum;
-    }
 }
 
 void subcycle_compose(struct subcycle *c)
@@ -183,7 +197,7 @@ void subcycle_compose(struct subcycle *c)
     if (c->alpha > 0)
         fast_steps(c);
     else
-        plain_steps(c);
+        BY_FEW(plain_steps, c->ns, c->v, c->xn, c->vs, c->dsum, c->v0, c->d, c->h, c->ratio);
     if (!c->direct) subcycle_end(c);
 }
 

@@ -53,14 +53,16 @@ static void correct(struct subcycle *c)
 {
     int ns = c->ns, nl = c->nl;
     for (int i = 0; i < ns; i++) c->s1[i] = c->coarse.on ? 0 : c->xn[i] - c->xbefore[i];
-    response_correct(&c->resp, &c->dec, c->Du, c->c, c->g, c->R, c->s1);
+    response_correct(&c->resp, &c->dec, c->Du, c->moved, c->R, c->s1);
     c->square += fabs(dot(c->R, c->Du, nl));
     vector_move(c->du, c->du, 1, c->Du, nl);
-    const struct powers more = {c->coarse.left, COARSE_POINTS};
     if (!c->resp.drives && !c->coarse.on) return;
+    if (c->coarse.on) vector_move(c->coarse.left, c->coarse.left, 1, c->moved, 2 * ns);
+    const struct powers rest =
+        c->coarse.on ? (struct powers){c->coarse.left, COARSE_POINTS} : (struct powers){c->moved, 2};
     zero(c->s1, ns);
     zero(c->s2, ns);
-    response_run(&c->resp, c->d, c->c, c->g, c->coarse.on ? &more : NULL, c->s1, c->s2, c->s3, 1);
+    response_run(&c->resp, c->d, &rest, c->s1, c->s2, c->s3, 1);
 }
 
 void subcycle_slow_rows(struct subcycle *c)

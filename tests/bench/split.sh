@@ -40,7 +40,7 @@ split() { # NAME DECK LIMIT FOR_NOW [single]
 
 split arms tests/bench/arms.yaml 1.30 1.30
 split long-chain tests/bench/long-chain.yaml 1.30 1.30
-split stiff-leaf-chain decks/stiff-leaf-chain.yaml 1.30 1.40
+split stiff-leaf-chain decks/stiff-leaf-chain.yaml 1.30 1.30
 split turbine-blade decks/turbine-blade.yaml 1.30 1.30
 split light-hub decks/light-hub.yaml 1.40 1.40
 split telescope decks/telescope.yaml 1.40 1.40 single
