@@ -127,7 +127,8 @@ static void take(struct stepper *s, struct adaptive *m, double h)
     for (int k = 0; k < n; k++) m->span[k] += x->u[last][k];
     copy(m->a, x->a[last], n);
     copy(m->rk.w[0], x->w[last], POWER_CHANNELS);
-    x->longer = x->h_before != 0 ? fabs(h / x->h_before) : 0;
+    const bool cut = fabs(h) < m->h; /* by no error of its own */
+    x->longer = !cut && x->h_before != 0 ? fabs(h / x->h_before) : 0;
     x->h_before = h;
     x->stale = x->theta > WORN;
     x->here = false;

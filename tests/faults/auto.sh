@@ -91,7 +91,7 @@ for deck in spin-up-segments spin-up rotor; do
     got=$(work --set integrate.scheme=auto --set integrate.tolerance=3.0e-5 "decks/$deck.yaml")
     tried=$(sed -n 's/^auto: .*trial runs of \([0-9.e+]*\)$/\1/p' "$work/err")
     expect "auto: $deck, stiff" "radau9" "$(most)" "$work/err"
-    expect "auto: $deck, work" fine "$(awk -v all="$got" -v tried="${tried:-0}" 'BEGIN { print((all > 1000 && tried < .25 * all) ? "fine" : all " " tried) }')" "$work/err"
+    expect "auto: $deck, work" fine "$(awk -v all="$got" -v tried="${tried:-0}" 'BEGIN { print((all > 700 && tried < .25 * all) ? "fine" : all " " tried) }')" "$work/err"
 done
 
 # A run that is not very short is a relay: its work is that of the best of its schemes by itself, or little more, whether

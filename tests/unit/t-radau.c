@@ -1,4 +1,5 @@
-/* t-radau.c -- what Radau IIA says that a step is off by, of an oscillator against the same formula in complex numbers */
+/* t-radau.c -- what Radau IIA says that a step is off by, of an oscillator against the same formula in complex numbers, and
+ * how it chooses its next one */
 #include <complex.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -81,10 +82,45 @@ static void test_error(void **state)
     }
 }
 
+/* Steps from rest at 1 to the end of q'' = -q, the first of h, which may have to end a little behind that once. */
+static long steps_to(const char *scheme, double h, double behind, double end)
+{
+    struct linear s;
+    struct run r;
+    struct step_options options = step_defaults;
+    options.tolerance = 1e-5;
+    linear_open(&s, 1, 0);
+    s.M[0][0] = s.K[0][0] = 1;
+    assert_int_equal(run_open(&r, scheme, &s.ode, &options, (double[]){1}, (double[]){0}), OK);
+    r.stepper.guess.h = h;
+    r.stepper.guess.ratio = 1;
+    assert_int_equal(run_steps(&r, 0, 1, 0), OK);
+    if (behind > 0) assert_int_equal(stepper_step(&r.stepper, &r.x, 0, 1, h + behind, &r.why), OK);
+    assert_int_equal(stepper_step(&r.stepper, &r.x, 0, 1, end, &r.why), OK);
+    const long steps = r.stepper.effort.minors;
+    assert_true(fabs(r.q[0] - cos(end)) < 1e-4);
+    run_close(&r);
+    return steps;
+}
+
+/* A step that ends where it has to, short, says nothing of how long the next one may be. */
+static void test_cut(void **state)
+{
+    static const char *const scheme[] = {"radau5", "radau9"};
+    static const double h = .1, end = 10;
+    (void)state;
+    for (int k = 0; k < 2; k++) {
+        const long most = steps_to(scheme[k], h, 0, end) + 2;
+        assert_in_range(steps_to(scheme[k], h, 1e-4, end), 4, most);
+        assert_in_range(steps_to(scheme[k], h, 1e-8, end), 4, most);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_error),
+        cmocka_unit_test(test_cut),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
