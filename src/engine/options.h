@@ -21,9 +21,10 @@ struct step_options {
     int stage;           /* it is one of those of a step of order 4: set by engine/composed.c alone */
     double newton_tolerance; /* relative; 0: 1e-3 of the local error, at most 1e-8 of scale */
     /* Of schemes that take turns: sim/plan.c tells the end of the run [s], study/auto.c the price of factors of all coordinates
-     * [evaluations], 0: none are taken, and what an explicit scheme gains at most for an evaluation, where something stiff is at
-     * rest or as trials foretell [s], 0: not known; do forces bend or jump by the state? */
-    double until, matrix, gain;
+     * [evaluations], 0: none are taken, what an explicit scheme gains at most for an evaluation, where something stiff is at
+     * rest or as trials foretell [s], and the first step of one of order 5 [s], each 0: not known; do forces bend or jump by the
+     * state? */
+    double until, matrix, gain, first;
     int bends;
     double tolerance; /* error of the motion, relative and in usual sizes: adaptive.h; 0: steps are fixed */
 };

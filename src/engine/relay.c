@@ -276,6 +276,7 @@ bool relay_next(struct stepper *s, struct adaptive *m, double t)
     struct relay *o = m->relay;
     const int before = o->now;
     o->mark = spent(s);
+    if (!(o->work > 0) && o->now != IMPLICIT && s->options.first > 0) m->h = s->options.first * usual[o->now].step;
     if (!(o->last > 0 && o->took > 0)) return false;
     if (o->phase == ON_TRIAL)
         go_on_trying(m);

@@ -2,10 +2,10 @@
  * for its work.
  *
  * All of them go on from a state and its accelerations alone, so any step may be any scheme's, and each is held against the same
- * share of the tolerance.  dopri5 begins, as its first steps grow soonest, or radau9 where the options know of something stiff.
- * From time to time another one takes two or three steps, which count like all others; where it is close, more of them, as long as
- * half a percent of what is left can be lost by that, and the one before as many behind it, so that both are seen on the same
- * stretch.  The one that gets further in time for an evaluation goes on.  The clearer a scheme is behind, the longer it is until it
+ * share of the tolerance.  dopri5 begins, as its first steps grow soonest, with the step that the options know, if they do, or radau9
+ * where they know of something stiff.  From time to time another one takes two or three steps, which count like all others; where
+ * it is close, more of them, as long as half a percent of what is left can be lost by that, and the one before as many behind it,
+ * so that both are seen on the same stretch.  The one that gets further in time for an evaluation goes on.  The clearer a scheme is behind, the longer it is until it
  * is looked at again, but sooner where what has decided has changed; where the rest of the run would not pay for it no one is.
  * Order 8 takes no part where forces bend or jump by the state, which it does not follow.  The implicit one is looked at where the
  * quickest that an explicit one meets is what keeps its steps short, or may be:

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/stop.h"
+#include "engine/adaptive.h"
 #include "engine/relay.h"
 #include "multirate/schemes.h"
 #include "study/auto_parts.h"
@@ -34,9 +35,14 @@ static void read_wishes(struct choice *o)
     o->step = step && !(how->tolerance > 0) ? scene->integrate.step : NAN;
 }
 
+/* At the end of a step.  The first one that the next does not outgrow by far is what the run may begin with. */
 static void look(void *self, const struct sim *sim)
 {
-    quick_note(self, sim);
+    static const double SETTLED = 2;
+    struct choice *o = self;
+    const double h = sim->x.t - o->quick.t;
+    if (!(o->first > 0) && adaptive_of(&sim->stepper)->h < SETTLED * h) o->first = h;
+    quick_note(&o->quick, sim);
 }
 
 /* ---- the race ---- */
@@ -189,7 +195,7 @@ static bool open_eye(struct choice *o)
     quick_open(&o->quick, &o->eye->sim, o->own);
     quick_note(&o->quick, &o->eye->sim);
     for (int i = 0; i < 2 || (i < MOST_HALVES && racer_grows(o->eye)); i++)
-        racer_go(o->eye, o->eye->work + HALF, look, &o->quick);
+        racer_go(o->eye, o->eye->work + HALF, look, o);
     o->stiff = stiff_rate(&o->eye->sim) * (o->eye->sim.plan.until - o->scene->start);
     o->eye->least = auto_least(o->eye->setting.kind, o->stiff);
     o->quiet = racer_quiet(o->eye);
@@ -253,7 +259,7 @@ static void look_on(struct choice *o)
 {
     const bool was_out = o->eye->out;
     o->eye->out = false;
-    racer_go(o->eye, o->eye->work + fmin(MOST_LOOK, .2 * o->budget), look, &o->quick);
+    racer_go(o->eye, o->eye->work + fmin(MOST_LOOK, .2 * o->budget), look, o);
     o->eye->out |= was_out;
     o->looked = o->racer[0] == o->eye ? 0 : o->eye->work;
 }

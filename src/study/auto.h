@@ -7,8 +7,9 @@
  * start in rounds; what is far behind and does not gain drops out, and the least foretold work is taken.  Two rates by
  * steps of order 4, which are chosen once, join at the end: from what quick.h has seen their steps are sized by what they miss
  * beside half of them (order 4: 16 times), of usual changes, to half the tolerance.  What is taken of the
- * schemes of one rate that engine/relay.h has is a relay of them, which finds out in the run itself who is right when, unless the
- * run is foretold less than AUTO_LEAST evaluations.  With a `step` alone the tolerance is the one at which the midpoint rule would take
+ * schemes of one rate that engine/relay.h has is a relay of them, which begins with a step as long as the first of
+ * dopri5 that did not have to grow any more, and finds out in the run itself who is right when, unless the run is foretold less than
+ * AUTO_LEAST evaluations.  With a `step` alone the tolerance is the one at which the midpoint rule would take
  * such steps, and schemes of fixed steps run with that step.
  *
  * All of it is counted: one deck, one choice. */

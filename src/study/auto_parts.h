@@ -25,6 +25,7 @@ struct choice {
     struct racer *eye; /* that looks at the motion */
     double eye_hopes;  /* the work that it would take, to the tolerance given or the usual one */
     double looked;     /* its work, where it does not race */
+    double first;      /* as long as its steps are at the start, once they do not grow [s]; 0: they do */
     double stiff;      /* what the quickest small motion turns by in the run [rad] */
     bool quiet;        /* and nothing has been seen of it */
     bool bounded;      /* it is what keeps the steps of an explicit scheme short */

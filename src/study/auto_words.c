@@ -25,6 +25,7 @@ static double far_behind(const struct choice *o, const struct racer *r)
 void auto_plan_relay(struct step_options *how, const struct choice *o, const struct racer *r)
 {
     const double span = r->sim.plan.until - o->scene->start, least = far_behind(o, r);
+    how->first = o->first;
     how->bends = system_may_bend(r->sim.system);
     how->gain = least > 0 ? span / least : 0;
     how->matrix = r->sim.stepper.ode->n <= MOST_DENSE ? r->price.full / r->price.evaluation : 0;
