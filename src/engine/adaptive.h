@@ -68,6 +68,8 @@ struct adaptive {
     struct sides *sides;  /* see sides.h; NULL: no force has any */
     struct trouble cause; /* of steps that have shrunk to nothing, since the last that was taken */
     double work[POWER_CHANNELS];
+    struct passing_look *passing; /* see passing.h; NULL: nothing could be passed over */
+
     struct works works;  /* what their errors are judged by */
     struct rk rk;        /* slopes at points: rk.du[0], rk.dv[0], rk.w[0] are those at the state */
     void *own;           /* the scheme's memory */

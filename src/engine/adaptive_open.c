@@ -1,5 +1,6 @@
 /* adaptive_open.c -- what a scheme that chooses its steps remembers; see adaptive.h */
 #include "engine/adaptive.h"
+#include "engine/passing.h"
 #include "engine/relay.h"
 #include "engine/sides.h"
 #include "engine/works.h"
@@ -25,6 +26,7 @@ void adaptive_open_by(struct stepper *s, const struct adaptive_scheme *scheme, s
     m->span = TAKE(life, double, o->n);
     works_open(&m->works, o->n, life);
     m->sides = sides_open(o, life);
+    m->passing = passing_open(o, life);
     s->self = m;
 }
 

@@ -5,9 +5,10 @@
 
 #include "base/scalar.h"
 #include "engine/motion.h"
+#include "engine/passing.h"
 #include "engine/path.h"
 
-enum { MOST = 9 }; /* places of a step that are looked at */
+enum { MOST = 4 * PASSING_PARTS }; /* places of a step that are looked at */
 
 struct place {
     double x;             /* the part of the step */
@@ -134,13 +135,17 @@ static void add_dips(struct sides *o)
     for (int k = 0; k < n; k++) add(o, at[k]);
 }
 
+/* What turns far within the step is looked at in parts of it, at the middle of each, too. */
 static void look(struct sides *o)
 {
+    const int parts = passing_parts(o->ode, &o->from, &o->to), n = 2 * smaller(parts, PASSING_PARTS);
     o->n = 0;
-    for (int k = 0; k < 3; k++) add(o, .5 * k);
-    if (all_clear(o)) return;
-    add(o, .25);
-    add(o, .75);
+    for (int k = 0; k <= n; k++) add(o, (double)k / n);
+    if (parts == 1) {
+        if (all_clear(o)) return;
+        add(o, .25);
+        add(o, .75);
+    }
     add_dips(o);
 }
 
@@ -204,6 +209,35 @@ static void find(struct sides *o, struct edge *edge, int i, int k)
     edge->kind = same ? EDGE_NONE : may && fabs(x.fb - x.fa) > SAME * wide ? EDGE_JUMP : EDGE_BEND;
     edge->located = true;
     edge->beyond = beyond(o, i, x.b, x.fb);
+}
+
+/* Does what value i tells of come and go within the step: is its sign the same at both ends, another one between, and its force there
+ * farther from what goes evenly from end to end than that is from 0?  The place before it; -1: no. */
+static int comes_and_goes(const struct sides *o, int i)
+{
+    const struct place *a = &o->at[0], *b = &o->at[o->n - 1];
+    const double even = larger(fabs(a->force[i]), fabs(b->force[i]));
+    int before = -1;
+    if (parted(a->side[i], b->side[i])) return -1;
+    for (int k = 1; k < o->n - 1; k++) {
+        const struct place *p = &o->at[k];
+        if (!parted(a->side[i], p->side[i])) continue;
+        if (before < 0) before = k - 1;
+        const double straight = a->force[i] + p->x * (b->force[i] - a->force[i]);
+        if (fabs(p->force[i] - straight) > even) return before;
+    }
+    return -1;
+}
+
+/* The place before the first of them; 1: there is none. */
+static double before_first(const struct sides *o)
+{
+    double first = 1;
+    for (int i = 0; i < o->ode->nside; i++) {
+        const int k = comes_and_goes(o, i);
+        if (k >= 0) first = smaller(first, o->at[k].x);
+    }
+    return first;
 }
 
 /* The first jump goes first, then the bend that is farthest from both ends. */
@@ -278,6 +312,7 @@ struct edge sides_edge(struct sides *o, const struct state *from, const struct s
             if (edge.kind == EDGE_JUMP) last = larger(last, edge.at);
             if (is_first(&edge, &first)) first = edge;
         }
+    first.comes = before_first(o);
     first.last = last;
     return first;
 }

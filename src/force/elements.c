@@ -256,10 +256,13 @@ static void find_clear_end(struct elements *e, struct sweep *s, const struct ins
     e->clear_known = true;
 }
 
-/* Of an element that is clear at both ends. */
+/* Of an element that is clear at both ends.  What comes near and goes again on an arc of half a radian, which is the most that is
+ * looked at at once, is a little quicker between them. */
 static enum met pass(const struct part_of *p, double h, double deep, bool looked)
 {
-    const double way = fmax(fabs(p->pace[0]), fabs(p->pace[1])) * fabs(h);
+    static const double QUICKER = 1.01;
+    const bool turns = p->pace[0] * p->pace[1] < 0;
+    const double way = (turns ? QUICKER : 1) * fmax(fabs(p->pace[0]), fabs(p->pace[1])) * fabs(h);
     if (looked && p->open[2] < -deep) return MET;
     return way > p->open[0] + p->open[1] + 2 * deep ? MET_MAYBE : MET_NOT;
 }

@@ -80,8 +80,8 @@ int elements_pole_to(struct elements *e, const struct sweep *s, const struct ins
 void elements_no_pole(struct elements *e);
 /* Is there any that may be met and left again within a step? */
 bool elements_may_be_passed(const struct elements *e);
-/* Clear at instants a and b, may one have been met between, by as much as `deep`?  Nothing is quicker than at the ends.  Is one
- * met at `between`, if that is not NULL? */
+/* Clear at instants a and b, may one have been met between, by as much as `deep`?  Nothing is quicker than at the ends, but
+ * for what an arc of half a radian makes of it.  Is one met at `between`, if that is not NULL? */
 enum met elements_passed(struct elements *e, struct sweep *s, const struct instant *a, const struct instant *between,
                          const struct instant *b, double deep);
 /* The part of that way at which one has begun or ended to push, if gaps close and pushes grow evenly; see ode2's edge(). */
