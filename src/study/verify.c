@@ -147,6 +147,18 @@ void verify_open(struct verify *o, struct sim *sim, struct sink *to, struct diag
     o->sink = (struct sink){&ops, o};
 }
 
+/* What does not change in the second run has no range there. */
+static void print_worst(const struct verify *o, FILE *to)
+{
+    const struct outcome_column *c = &o->subject.column[o->worst];
+    const double part = o->second.uncertain[o->worst];
+    if (isfinite(part))
+        fprintf(to, "most of all '%s', by %.2g of its range\n", c->name, part);
+    else
+        fprintf(to, "most of all '%s', by %.3g%s%s, which does not change in the second run\n", c->name,
+                o->differs[o->worst], c->unit ? " " : "", c->unit ? c->unit : "");
+}
+
 void verify_print(const struct verify *o, FILE *to)
 {
     const struct reference *r = &o->second;
@@ -159,7 +171,5 @@ void verify_print(const struct verify *o, FILE *to)
         if (!c->compared) continue;
         fprintf(to, "%-28s %12.3g %12.2g  %s\n", c->name, o->differs[i], r->uncertain[i], c->unit ? c->unit : "");
     }
-    if (o->worst >= 0)
-        fprintf(to, "most of all '%s', by %.2g of its range\n", o->subject.column[o->worst].name,
-                r->uncertain[o->worst]);
+    if (o->worst >= 0) print_worst(o, to);
 }

@@ -291,6 +291,18 @@ expect "--verify, no column of the motion: status, said, no worst" "0 1 0" \
     "$? $(grep -c '^verified by a second run at step ' "$work/err") $(grep -c '^most of all' "$work/err")" "$work/err"
 expect "--verify, no column of the motion: no number" 1 \
     "$("$FMDSUB" run -q -f ndjson --verify -c energy.residual "$deck" | grep -c '"verified_difference":null')"
+cat >"$work/once.yaml" <<'EOF'
+fmdsub: 1
+bodies: {m: {mass: 1, at: [0, 0]}}
+constraints: {r: {prismatic: [ground, m], axis: [1, 0]}}
+forces: {k: {spring: r, stiffness: 100}}
+initial: {r.displacement_rate: 1}
+integrate: {scheme: midpoint, step: 0.02, until: 0.3}
+output: {every: 0.02, columns: [r.displacement, {late: "if(t > 0.29 and r.displacement > 0.0145, 2, 0)"}]}
+EOF
+"$FMDSUB" run --verify "$work/once.yaml" >"$work/out" 2>"$work/err"
+expect "--verify, a column that stands still in the second run" "most of all 'late', by 2, which does not change in the second run" \
+    "$(grep '^most of all' "$work/err")" "$work/err"
 
 # What happens on the way is told once, by the first run, beside a second and beside what is left out.
 "$FMDSUB" run -q -f ndjson "$decks/effect-friction.yaml" 2>"$work/err" | grep '"type":"event"' >"$work/events"
