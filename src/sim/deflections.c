@@ -64,17 +64,24 @@ const char *bending_advice(const struct flex_body *flex)
                      "'segments'";
 }
 
-/* What bends beyond its own length has stopped the run, which said so. */
+/* The one that bends farthest; what bends beyond its own length has stopped the run, which said so. */
 void warn_of_deflections(struct sim *sim)
 {
     static const double followed = 0.2; /* of its length: beyond it more than a per cent is wrong */
+    const struct deflection *worst = NULL;
+    char others[40] = "";
+    int n = 0;
     for (int i = 0; i < sim->ndeflection; i++) {
         const struct deflection *o = &sim->deflection[i];
         if (!(o->most > followed * o->size) || o->most > o->size) continue;
-        sim_warn(sim,
-                 "'%s' bends by %.3g of its length (at t = %.6g s), farther than one frame follows to a per "
-                 "cent; %s [W-bending]",
-                 sim->model->body[o->body].name, o->most / o->size, o->t,
-                 bending_advice(sim->model->body[o->body].flex));
+        n++;
+        if (!worst || o->most * worst->size > worst->most * o->size) worst = o;
     }
+    if (!worst) return;
+    if (n > 1) snprintf(others, sizeof others, n == 2 ? ", as does %d more body" : ", as do %d more bodies", n - 1);
+    const struct model_body *body = &sim->model->body[worst->body];
+    sim_warn(sim,
+             "'%s' bends by %.3g of its length (at t = %.6g s), farther than one frame follows to a per cent%s; %s "
+             "[W-bending]",
+             body->name, worst->most / worst->size, worst->t, others, bending_advice(body->flex));
 }

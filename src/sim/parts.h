@@ -223,8 +223,9 @@ void warn_of_neglects(struct sim *sim);
 void print_neglects(const struct sim *sim, FILE *to);
 
 /* rest.c: moves sim->x to a stable static equilibrium near it, at rest.  The kind of TROUBLE_DIVERGED where the one
- * that it stands in is not stable; its index is the coordinate that falls away */
-enum { REST_FALLS = 1 };
+ * that it stands in is not stable: its index is the coordinate that falls away; and where the search has not come to an
+ * end: that which it has moved farthest, by value */
+enum { REST_FALLS = 1, REST_GOES_ON };
 enum status rest_find(struct sim *sim, struct arena *scratch, struct trouble *why);
 
 /* messages.c: what is said to people */

@@ -166,6 +166,17 @@ static void take(struct sim *sim, struct rest *s)
     rest_name_neutral(&sim->neutral, s);
 }
 
+/* Why the search has failed, by a coordinate. */
+static void blame(struct rest *s, struct trouble *why)
+{
+    const int falls = rest_falls(s);
+    int far = 0;
+    for (int i = 1; i < s->n; i++)
+        if (fabs(s->gone[i]) * ode2_usual(s->ode, far) > fabs(s->gone[far]) * ode2_usual(s->ode, i)) far = i;
+    *why = falls >= 0 ? (struct trouble){TROUBLE_DIVERGED, REST_FALLS, falls, 0, s->t}
+                      : (struct trouble){TROUBLE_DIVERGED, REST_GOES_ON, far, s->gone[far], s->t};
+}
+
 enum status rest_find(struct sim *sim, struct arena *scratch, struct trouble *why)
 {
     struct rest s = open_rest(sim, scratch);
@@ -174,8 +185,7 @@ enum status rest_find(struct sim *sim, struct arena *scratch, struct trouble *wh
     system_count_turns(sim->system, s.q, s.t);
     TRY(rest_resid(&s, s.r, s.q, why));
     const enum status status = search(&s, sim, why);
-    const int falls = status != OK && !stop && why->code == TROUBLE_DIVERGED ? rest_falls(&s) : -1;
-    if (falls >= 0) why->kind = REST_FALLS, why->index = falls;
+    if (status != OK && !stop && why->code == TROUBLE_DIVERGED) blame(&s, why);
     if (status != OK) return status;
     memset(sim->x.v, 0, sizeof *sim->x.v * (size_t)s.n);
     take(sim, &s);

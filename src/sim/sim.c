@@ -42,11 +42,16 @@ static enum status start_at_rest(struct sim *sim, struct report *report)
                     "no start: the static equilibrium near the initial position is unstable: '%s' falls away; start "
                     "beside it, on the side to which it is to fall [no-equilibrium]",
                     sim_coordinate_name(sim, why.index));
+    if (why.code == TROUBLE_DIVERGED && why.kind == REST_GOES_ON && why.value != 0)
+        return fail(
+            report, E_MODEL,
+            "no start: no stable static equilibrium was found near the initial position; the search has moved '%s' by "
+            "%.3g m or rad: look for what should hold it, or for a load that is more than that bears [no-equilibrium]",
+            sim_coordinate_name(sim, why.index), why.value);
     return fail(
         report, E_MODEL,
-        "no start: no stable static equilibrium was found near the initial position in %d steps (last move %.3g m "
-        "or rad); look for a part that nothing holds [no-equilibrium]",
-        why.index, why.value);
+        "no start: no stable static equilibrium was found near the initial position; look for a part that nothing "
+        "holds [no-equilibrium]");
 }
 
 static enum status place(struct sim *sim, struct report *report)

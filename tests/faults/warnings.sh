@@ -154,6 +154,18 @@ for until in 7.6 20; do
         not_ok "bending too far until $until: one advice" "expected one line with: $advice" said
 done
 
+# Of several that do the worst is named, the others are counted.
+cat >roll.yaml <<'END'
+fmdsub: 1
+bodies:
+  arm: {beam: {from: [0, 0], to: [4, 0], elements: 8}, section: {rectangle: [0.02, 0.004]}, material: steel, segments: 3, modes: 2, points: {tip: {station: 1}}}
+constraints: {hub: {fixed: [ground, arm1], at: [0, 0]}}
+forces: {roll: {torque: arm.tip, value: 20*t}}
+integrate: {scheme: midpoint, step: 2.0e-3, until: 1}
+END
+"$FMDSUB" run -q roll.yaml 2>&1 >out | grep W-bending >said
+expect "two of three segments bend too far: one line" "1 1" "$(wc -l <said) $(grep -c "^warning: 'arm3' bends by .*, as does 1 more body; " said)" said
+
 # What is told at the end of a run or in its course is told with -q, too, and --strict counts it.
 echo "$plane" >deck.yaml
 "$FMDSUB" run -q -s 'constraints.pin.range=[-1, 2]' --until 2 -s integrate.step=1.0e-2 deck.yaml >out 2>err

@@ -86,3 +86,15 @@ go "held by its cube" 0 <"$work/whole.yaml"
 near "held by its cube" "1,0" "$last" 1e-12
 expect "held by its cube: nothing is told" "0 wrote" "$(grep -c 'nothing holds' "$work/err") $(wrote "$work/out")"
 for push in '100*s.displacement^3' '100*s.displacement^2' '-100*s.displacement^2' 1.0e-7; do law "$push" | refused; done
+
+# A motor that is stronger than the weight: no balance, and what the search has turned is named.
+go "a motor stronger than the weight" 4 -q <<'END'
+fmdsub: 1
+gravity: [0, -9.81]
+bodies: {a: {mass: 1, inertia: 0.1, at: [0, -0.5]}, b: {mass: 1, inertia: 0.1, at: [2, 0]}}
+constraints: {p: {revolute: [ground, a], at: [0, 0]}, s: {prismatic: [ground, b], axis: [1, 0]}}
+forces: {m: {torque: p, value: 4.91}, k: {spring: s, stiffness: 100}}
+initial: {static: true}
+integrate: {scheme: midpoint, step: 1.0e-3, until: 1}
+END
+told "a motor stronger than the weight" "the search has moved 'p.angle' by [0-9]* m or rad: look for what should hold it, or for a load"
