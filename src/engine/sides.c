@@ -1,6 +1,7 @@
 /* sides.c -- see sides.h */
 #include "engine/sides.h"
 
+#include <assert.h>
 #include <math.h>
 
 #include "base/scalar.h"
@@ -139,6 +140,7 @@ static void add_dips(struct sides *o)
 static void look(struct sides *o)
 {
     const int parts = passing_parts(o->ode, &o->from, &o->to), n = 2 * smaller(parts, PASSING_PARTS);
+    assert(n > 0);
     o->n = 0;
     for (int k = 0; k <= n; k++) add(o, (double)k / n);
     if (parts == 1) {
