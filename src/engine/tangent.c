@@ -11,16 +11,19 @@
 /* Displacement from look to look in usual sizes, or time in 1/omega: with fixed steps, where looks are expensive
  * beside a step; with steps that the scheme chooses. */
 static const double FAR = .8, NEAR = .4;
-static const double COARSE = 3;      /* times as far where looks run short */
-enum { AT_ONCE = 20 };               /* looks that are allowed from the start, */
+static const double COARSE = 3; /* times as far where looks run short */
+static const double ROUGH = .1; /* of looks in the mean, above that they miss too much of what time does to forces, */
+static const double SPARE = 2;  /* and so much in sum is allowed from the start */
+enum { AT_ONCE = 20 };          /* looks that are allowed from the start, */
 enum { STEPS = 200, OWN_STEPS = 4 }; /* and one more with so many fixed steps, with so many chosen ones */
 
-void tangent_open(struct stepper *s, struct arena *life)
+void tangent_open(struct stepper *s, bool timed, struct arena *life)
 {
     struct tangent *o = s->tangent = TAKE(life, struct tangent, 1);
     o->q = TAKE(life, double, s->ode->nq);
     o->u = TAKE(life, double, 1);
     o->b = TAKE(life, double, 1);
+    o->timed = timed;
     o->apart = s->kind->adaptive ? NEAR : FAR;
     o->usual = ode2_usual(s->ode, 0);
 }
@@ -68,6 +71,7 @@ bool tangent_affords(const struct stepper *s, const struct state *x)
     const struct tangent *o = s->tangent;
     const long steps = s->missed->steps / (s->kind->adaptive ? OWN_STEPS : STEPS), left = AT_ONCE + steps - o->looks;
     const double spare = smaller(1, (double)left / AT_ONCE);
+    if (o->lost) return false;
     return !o->known || (left > 0 && gone(o, x->t) >= COARSE - (COARSE - 1) * spare);
 }
 
@@ -75,17 +79,19 @@ bool tangent_affords(const struct stepper *s, const struct state *x)
 
 struct look {
     double t, v, a, M, A, D, excess; /* as in struct tangent */
+    double push[2]; /* what time alone has changed of a since the last look, in the first half and in the second */
+    double rough;   /* how unlike these are, relative to accelerations at either look, w v and a */
 };
 
-/* *a := the acceleration at x displaced by dq, dv. */
-static enum status accelerate(struct stepper *s, double *a, const struct state *x, double dq, double dv)
+/* *a := the acceleration at x displaced by dq, dv, as forces are at t. */
+static enum status accelerate(struct stepper *s, double *a, const struct state *x, double dq, double dv, double t)
 {
     struct tangent *o = s->tangent;
     struct trouble why;
     o->u[0] = dq;
-    motion_point(s->ode, o->q, x->q, o->u, 1, x->t);
+    motion_point(s->ode, o->q, x->q, o->u, 1, t);
     o->u[0] = x->v[0] + dv;
-    TRY(accel_solve(s->accel, o->b, NULL, o->q, o->u, x->t, &why));
+    TRY(accel_solve(s->accel, o->b, NULL, o->q, o->u, t, &why));
     *a = o->b[0];
     return OK;
 }
@@ -104,8 +110,23 @@ static enum status damping(struct stepper *s, struct look *l, const struct state
     const double dv = dq * fmax(1, fabs(x->v[0]) / ode2_usual(s->ode, 0));
     double M, a;
     TRY(mass(s, &M, s->tangent->q, x->t));
-    TRY(accelerate(s, &a, x, 0, dv));
+    TRY(accelerate(s, &a, x, 0, dv, x->t));
     l->D = (a - l->a) / dv + (M - l->M) / dq * l->v / l->M;
+    return OK;
+}
+
+/* l->push and l->rough, by accelerations here as forces were at the last look and half way since. */
+static enum status push(struct stepper *s, struct look *l, const struct state *x)
+{
+    const struct tangent *o = s->tangent;
+    const double w = frequency(o);
+    double before, half;
+    TRY(accelerate(s, &before, x, 0, 0, o->t));
+    TRY(accelerate(s, &half, x, 0, 0, (o->t + x->t) / 2));
+    l->push[0] = half - before;
+    l->push[1] = l->a - half;
+    const double miss = fabs(l->push[1] - l->push[0]), moves = fmax(hypot(w * o->v, o->a), hypot(w * l->v, l->a));
+    l->rough = miss > 0 ? miss / moves : 0;
     return OK;
 }
 
@@ -116,10 +137,11 @@ static enum status look(struct stepper *s, struct look *l, const struct state *x
     double a;
     *l = (struct look){.t = x->t, .v = x->v[0], .excess = excess};
     TRY(mass(s, &l->M, x->q, x->t));
-    TRY(accelerate(s, &l->a, x, 0, 0));
-    TRY(accelerate(s, &a, x, dq, 0));
+    TRY(accelerate(s, &l->a, x, 0, 0, x->t));
+    TRY(accelerate(s, &a, x, dq, 0, x->t));
     l->A = (a - l->a) / dq;
-    return works ? damping(s, l, x, dq) : OK;
+    if (works) TRY(damping(s, l, x, dq));
+    return s->tangent->timed && s->tangent->known ? push(s, l, x) : OK;
 }
 
 /* (x, y) := exp(h [0 1; A B]) (x, y) */
@@ -133,20 +155,27 @@ static void flow(double *x, double *y, double A, double B, double h)
     *y = e * (c * y0 + s * (A * x0 + half * y0));
 }
 
+/* What is left at its end of 1 that has come in evenly over a time h. */
+static double remains(double D, double h)
+{
+    return D * h != 0 ? expm1(D * h) / (D * h) : 1;
+}
+
 /* Propagates tau and P to the look l, which is in the same chart. */
 static void go_on(struct tangent *o, const struct look *l)
 {
     const double h = l->t - o->t, excess = l->excess - o->excess, w = o->A != 0 ? frequency(o) : 1 / h;
-    const double norm = o->a * o->a + w * w * o->v * o->v, norm1 = l->a * l->a + w * w * l->v * l->v;
+    const double a0 = o->a + l->push[0] * l->M / o->M, a = l->a - l->push[1]; /* after one jump, before the other */
+    const double norm = a0 * a0 + w * w * o->v * o->v, norm1 = a * a + w * w * l->v * l->v;
     if (!(norm > 0) || !(norm1 > 0)) return;
-    double P = o->M * (o->v * o->v_off - o->a * o->q_off), tau = along(o->q_off, o->v_off, o->v, o->a, w);
-    double x = -o->a / norm, y = w * w * o->v / norm;
-    const double undamped = -log(l->M / o->M) / h; /* da/dv, where D is 0 */
-    flow(&x, &y, (o->A + l->A) / 2, undamped + (o->D + l->D) / 2, h);
-    tau += (P + excess / 2) / o->M * along(x, y, l->v, l->a, w) + o->late;
-    P = P * exp(h * (o->D + l->D) / 2) + excess;
-    o->q_off = tau * l->v - P / l->M * l->a / norm1;
-    o->v_off = tau * l->a + P / l->M * w * w * l->v / norm1;
+    double P = o->M * (o->v * o->v_off - a0 * o->q_off), tau = along(o->q_off, o->v_off, o->v, a0, w);
+    double x = -a0 / norm, y = w * w * o->v / norm;
+    const double undamped = -log(l->M / o->M) / h, D = (o->D + l->D) / 2; /* da/dv, where D is 0 */
+    flow(&x, &y, (o->A + l->A) / 2, undamped + D, h);
+    tau += (P + excess / 2) / o->M * along(x, y, l->v, a, w) + o->late;
+    P = P * exp(h * D) + excess * remains(D, h);
+    o->q_off = tau * l->v - P / l->M * a / norm1;
+    o->v_off = tau * a + P / l->M * w * w * l->v / norm1;
     o->position = larger(o->position, fabs(o->q_off));
     o->velocity = larger(o->velocity, fabs(o->v_off));
 }
@@ -175,6 +204,8 @@ void tangent_look(struct stepper *s, const struct state *x, double excess, bool 
     s->effort = effort;
     if (!known) return;
     o->looks++;
+    o->rough += l.rough * l.rough;
+    o->lost = o->lost || o->rough > SPARE + ROUGH * (double)o->looks;
     if (o->known && x->t > o->t) go_on(o, &l);
     begin(o, &l);
 }
@@ -190,7 +221,7 @@ void tangent_rechart(struct stepper *s, const struct state *x, double v, double 
     o->known = known;
     if (!known) return;
     const double by = x->v[0] / v, bend = (l.a - by * a) / v;
-    const struct look old = {x->t, v, a, l.M * by * by, o->A, o->D, o->excess};
+    const struct look old = {x->t, v, a, l.M * by * by, o->A, o->D, o->excess, {l.push[0] / by, l.push[1] / by}, 0};
     if (x->t > o->t) go_on(o, &old);
     begin(o, &l);
     o->v_off = by * o->v_off + bend * o->q_off;
@@ -225,5 +256,7 @@ void tangent_recall(struct tangent *o, struct recall *r)
     recall_one(r, "seen_position", o->seen_position);
     recall_one(r, "seen_velocity", o->seen_velocity);
     recall_one(r, "looks", o->looks);
+    recall_one(r, "rough", o->rough);
+    recall_one(r, "lost", o->lost);
     recall_without(r);
 }

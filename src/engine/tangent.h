@@ -11,8 +11,14 @@
  * grows by s P/M.  Near an unstable equilibrium, where f nearly vanishes, this is the dominant part.  s follows from
  * (dq, dv)' = [0 1; da/dq, da/dv] (dq, dv) with the mean coefficients of both looks.
  *
+ * A force that time itself changes is taken as one that jumps at looks and is constant in between: f changes by (0, da), the
+ * error does not, and is taken apart along the new f and g.  What time has changed of the acceleration in the first half of the
+ * way from look to look jumps at its start, by the mass there; the rest at its end.  Where looks are too far apart for that, as
+ * under a force that is quick beside the motion, nothing is propagated any more.
+ *
  * A step adds to tau the part of its local error (missed.h) along f, with its sign, and to P its contribution to the
- * residual of the energy balance, which is not an estimate. */
+ * residual of the energy balance.  Without works that is no estimate; works bring the errors of their quadrature, which are of the
+ * scheme's order, too.  Contributions come in evenly between looks, and damping takes its part of them. */
 #ifndef FMDSUB_ENGINE_TANGENT_H
 #define FMDSUB_ENGINE_TANGENT_H
 
@@ -23,6 +29,7 @@
 #include "engine/stepper.h"
 
 struct tangent {
+    bool timed;                /* do forces depend explicitly on time? */
     bool known;                /* there has been a look; of the last one: */
     double t, v, a, M, A, D;   /* time, velocity, acceleration, mass; A = da/dq; D as above, without damping 0 */
     double excess;             /* residual of the energy balance [J] */
@@ -34,13 +41,15 @@ struct tangent {
     double seen_position, seen_velocity; /* signed sums of missed.h at the last change of these, */
     long told;                           /* after so many steps */
     long looks;                          /* so far */
+    double rough;                        /* sum of squares of what these miss of forces' change by time (tangent.c) */
+    bool lost;                           /* that is too much: errors are not propagated any more */
     double apart;                        /* displacement from look to look, in usual sizes */
     double usual;                        /* size of the coordinate */
     double *q, *u, *b;                   /* [nq], [1], [1] scratch */
 };
 
-/* After stepper_open(), with one degree of freedom, no contacts, and nothing that depends explicitly on time. */
-void tangent_open(struct stepper *s, struct arena *life);
+/* After stepper_open(), with one degree of freedom, no contacts, and no drives; timed: forces depend explicitly on time. */
+void tangent_open(struct stepper *s, bool timed, struct arena *life);
 
 /* missed.h has new local errors, after a step h that ends with velocity v: tau takes them in. */
 void tangent_told(struct stepper *s, double h, double v);

@@ -45,7 +45,7 @@ void advance_open(struct sim *sim, struct arena *life)
     sim->stepper.guess = sim->guess;
     sim->onto_records = !adaptive_interpolates(&sim->stepper) || sim->needs & NEED_WORKS;
     sim->stepper.natural = sim->stepper.ode->n > 0 && sim->stepper.kind->adaptive &&
-                           (!sim->onto_records || events_watched(sim) || sim->stepper.touch || sim->stepper.tangent);
+                           (!sim->onto_records || events_watched(sim) || sim->stepper.touch);
     sim->watched = (sim->stepper.kind->points && system_may_bend(sim->system)) || system_may_have_poles(sim->system) ||
                    guard_acts(sim);
     if (!sim->stepper.kind->adaptive) sim->passing = passing_open(sim->stepper.ode, life);

@@ -185,7 +185,7 @@ void warn_of_lateral(struct sim *sim);
 
 /* trust.c: the estimated error of the run (trust.h) */
 void trust_open(struct sim *sim, struct arena *life);
-/* After stepper_open(): with one degree of freedom and conservative forces errors are propagated (engine/tangent.h). */
+/* After advance_open(): with one degree of freedom and no drives errors are propagated (engine/tangent.h). */
 void trust_follow(struct sim *sim, struct arena *life);
 /* With each step; with each record. */
 void trust_step(struct sim *sim);

@@ -169,8 +169,8 @@ enum status sim_open(struct sim *sim, const struct scene *scene, const struct in
     warn_of_loops(sim, diags);
     stepper_open(&sim->stepper, sim->stepper.kind, system_ode2(sim->system), sim->plan.options, life);
     guard_open(sim);
-    trust_follow(sim, life);
     advance_open(sim, life);
+    trust_follow(sim, life);
     if (sim->stepper.touch) sim->press = TAKE(life, double, sim->stepper.ode->contact->nrow);
     TRY(start(sim, diags, report));
     trust_open(sim, life);

@@ -14,7 +14,7 @@
 #include "sim/parts.h"
 
 static const double SMALL = 1e-6; /* largest displacement of the state, in usual sizes of its coordinates */
-static const double PEAKS = 1.4;  /* factor on propagated errors: few places may miss where columns answer most */
+static const double PEAKS = 1.2;  /* factor on propagated errors: few places may miss where columns answer most */
 enum { DRAWS = 2 };               /* sets of random signs at a place */
 enum { FEW_STEPS = 600 };         /* with fewer steps of fixed size, tangent_look() would cost too much of the run */
 
@@ -23,8 +23,11 @@ void trust_follow(struct sim *sim, struct arena *life)
     struct stepper *s = &sim->stepper;
     const double steps = sim->majors * (double)sim->plan.ratio;
     if (!s->kind->adaptive && steps < FEW_STEPS) return;
-    if (s->ode->n != 1 || s->touch || sim->options.counting || trust_of_time(sim)) return;
-    if (s->kind->late || s->kind->adaptive) tangent_open(s, life);
+    if (s->ode->n != 1 || s->touch || sim->options.counting || sim->scene->ndrive > 0) return;
+    const bool timed = trust_of_time(sim), moves = s->kind->adaptive && (!s->natural || s->ode->chart);
+    if (timed && moves) return; /* looks would move records, by round-off */
+    if (s->kind->late || s->kind->adaptive) tangent_open(s, timed, life);
+    s->natural = s->natural || (s->tangent && s->kind->adaptive);
 }
 
 void trust_open(struct sim *sim, struct arena *life)
@@ -70,13 +73,19 @@ static double works(const struct ledger *l)
     return sum;
 }
 
-/* The propagated error replaces the sums; false: it does not.  Forces that bend or jump may act only between two looks, which tangent.c misses: there
- * the larger counts.  Where dampers, drives or loads do work the sums count, since the decay of errors between two looks is not
- * followed. */
+/* Are errors propagated, and have they been? */
+static bool follows(const struct sim *sim)
+{
+    const struct tangent *tangent = sim->stepper.tangent;
+    return tangent && tangent->known && tangent->looks > 1 && !tangent->lost;
+}
+
+/* The propagated error replaces the sums; false: it does not.  Forces that bend or jump may act only between two looks, which
+ * tangent.c misses: there the larger counts. */
 static bool follow(const struct sim *sim, struct trust_place *p)
 {
     const struct tangent *tangent = sim->stepper.tangent;
-    if (!tangent || !tangent->known || works(&sim->ledger) > 0) return false;
+    if (!follows(sim)) return false;
     const struct ode2 *ode = sim->stepper.ode;
     const bool unseen = ode->bends || ode->passed;
     p->position[0] = larger(PEAKS * tangent->position, unseen ? p->position[0] : 0);
@@ -342,7 +351,7 @@ static double growth_on_the_way(struct sim *sim, long chart, double run)
     int seen = 0;
     const struct ode2 *ode = sim->stepper.ode;
     const bool brief = ode->passed || ode->bends || ode->nside > 0;
-    if (ode->n < 2 && !trust_of_time(sim)) return 0; /* differences drift, at most */
+    if (ode->n < 2 && (!trust_of_time(sim) || follows(sim))) return 0; /* differences drift, at most, or are followed */
     for (int i = 0; i < o->n && places >= FEW && seen < places; i++) {
         const struct trust_place *p = &o->place[i];
         double blur;

@@ -10,8 +10,9 @@
  * The motion keeps the sum of the energies, random signs do not: an energy is taken to change by no more than the other
  * energies do, plus what the run's balance and works leave open.
  *
- * With one degree of freedom, no contacts, no explicit dependence on time, and conservative forces only, errors are propagated
- * along the motion instead (engine/tangent.h); where forces bend or jump, the larger of both counts. */
+ * With one degree of freedom, no contacts and no drives, errors are propagated along the motion instead (engine/tangent.h);
+ * where forces bend or jump, the larger of both counts.  Under forces of time that is so with fixed steps; by tolerance only where
+ * nothing has charts and records are interpolated. */
 #ifndef FMDSUB_SIM_TRUST_H
 #define FMDSUB_SIM_TRUST_H
 
