@@ -23,6 +23,8 @@ static const double FADE = .8; /* of exponential averages */
 static const double OLD =
     .5; /* weight of the average of whole sweeps, which is not renewed while coarse ones are taken */
 
+static const double gauss[COARSE_POINTS] = {.1127016654, .5, .8872983346};
+
 /* The minor steps that are evaluated. */
 struct nodes {
     int n;                        /* of so many; 0: not found yet */
@@ -72,6 +74,11 @@ bool subcycle_coarse_next(const struct subcycle *c)
     return c->newton.way ? c->newton.count == 1 && able(c, LEAST) : c->newton.count == 2 && able(c, THIRD);
 }
 
+bool subcycle_coarse_blind(const struct subcycle *c)
+{
+    return c->newton.way && gauss[0] * c->ratio >= 1;
+}
+
 /* rows := from + s times what fast unknowns e add to the slow rows of the fast bodies. */
 INTO static inline void with_answer(struct subcycle *c, double *rows, const double *from, double s, const double *e)
 {
@@ -109,7 +116,6 @@ static void lagrange(double *power, const double *f, int i)
 
 static void find_nodes(struct nodes *p, int n)
 {
-    static const double gauss[COARSE_POINTS] = {.1127016654, .5, .8872983346};
     double f[COARSE_POINTS], sums[COARSE_POINTS] = {0};
     p->n = n;
     for (int i = 0; i < COARSE_POINTS; i++) p->at[i] = (int)(gauss[i] * n), f[i] = (p->at[i] + .5) / n;

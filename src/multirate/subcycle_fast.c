@@ -10,6 +10,7 @@
 #include "multirate/subcycle_parts.h"
 
 enum { INNER = 12 };
+static const double LEAVES = 1e-2; /* a correction of the first minor step leaves this part of it, at most */
 
 /* es: from the fast rows of the fast bodies to all of (S6), but for the damping. */
 INTO static inline void with_slow_bodies(int ns, struct subcycle *c, const double *restrict d)
@@ -85,6 +86,21 @@ APART enum status minor_alone(struct subcycle *c, int k, double *power, struct i
     }
 }
 
+/* The forecast misses the first minor step most, and what its correction leaves there stands alone: a coarse sweep, which
+ * interpolates between other minor steps, does not see it.  So it is corrected once more where one may follow and as little
+ * counts, in a stage of a step of order 4; at order 2 that took 3 to 8 percent more fast evaluations, for nothing. */
+static enum status first_again(struct subcycle *c, double *power, struct instant *x, struct trouble *why)
+{
+    const long fast = c->effort->fast;
+    double dk = 0;
+    if (!subcycle_coarse_blind(c) || minor_error(c) * LEAVES <= c->newton.tol) return OK;
+    TRY(subcycle_minor_rows(c, 0, power, &dk, x, why));
+    subcycle_spent(c, SPENT_ON_REPEATED, c->effort->slow, fast);
+    c->coarse.varied |= sharpened(&dk);
+    BY_FEW(correct, c->ns, c, c->d);
+    return OK;
+}
+
 /* d_k corrected: once, where its slopes have not changed. */
 static enum status minor(struct subcycle *c, int k, double *power, struct instant *x, struct trouble *why)
 {
@@ -94,7 +110,7 @@ static enum status minor(struct subcycle *c, int k, double *power, struct instan
     c->coarse.varied |= sharp | changed;
     if (changed) return minor_alone(c, k, power, x, why);
     BY_FEW(correct, c->ns, c, c->d + (long)k * c->ns);
-    return OK;
+    return k == 0 && c->guessed && c->newton.stage ? first_again(c, power, x, why) : OK;
 }
 
 /* d of the minor step leaves dsum as it was when the rows were taken; returns the power of the residual. */

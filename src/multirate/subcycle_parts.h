@@ -235,6 +235,8 @@ void subcycle_coarse_open(struct subcycle *c, struct arena *life);
 void subcycle_coarse_plan(struct subcycle *c);
 /* Will the next sweep of the step under way be coarse, if nothing in it forbids that? */
 bool subcycle_coarse_next(const struct subcycle *c);
+/* May the second sweep be one, and without the first minor step? */
+bool subcycle_coarse_blind(const struct subcycle *c);
 /* Keeps the slow rows of minor step k, as they are after its correction c->es, where they will be needed. */
 void subcycle_coarse_keep(struct subcycle *c, int k);
 /* The same of their sum, which is in R, after all minor steps. */
