@@ -229,7 +229,8 @@ const struct diag_help diag_helps[] = {
                      "it. Take 'stiffening: false' out."},
     {"W-scheme",
      "The key belongs to other schemes and changes nothing here. Take it out, or choose one of those. Keys of "
-     "a deck whose scheme --set has changed are passed over without a word."},
+     "a deck whose scheme --set has changed are passed over without a word. Only 'fast' has a say under any scheme "
+     "where bodies form loops: in what starts at 0, of what 'initial' does not set."},
     {"W-expression-stop",
      "A force that is 0 up to some place and pushes back beyond it is a stop: unilateral: x, with its stiffness, has "
      "its energy in the balance and keeps it at any step, which as an expression only small steps do; range: {hold: "

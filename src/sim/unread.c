@@ -51,14 +51,16 @@ static void warn(const struct sim *sim, const struct node *n, bool (*wanted)(con
                  struct diags *diags)
 {
     char readers[200] = "";
+    const bool starts = strcmp(n->key, "fast") == 0 && sim->model->nloop > sim->model->ndrive;
     const char *scheme = sim->plan.scheme, *chosen = sim->plan.because ? ", which 'auto' has taken" : "";
     for (int i = 0; stepper_kinds[i]; i++) {
         const size_t used = strlen(readers);
         if (wanted(stepper_kinds[i], n->key))
             snprintf(readers + used, sizeof readers - used, "%s%s", used ? ", " : "", stepper_kinds[i]->name);
     }
-    diag_warn(diags, n, AT_KEY, "W-scheme", "'%.60s' means nothing to scheme %.60s%s: it is for %s", n->key, scheme,
-              chosen, readers);
+    diag_warn(diags, n, AT_KEY, "W-scheme", "'%.60s' means nothing to scheme %.60s%s: it is for %s%s", n->key, scheme,
+              chosen, readers,
+              starts ? "; in loops it still chooses what starts at 0, of what 'initial' does not set" : "");
 }
 
 static bool rubs(const struct sim *sim)
