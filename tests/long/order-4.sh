@@ -8,7 +8,7 @@ expect "order 4: the run is whole" "1 0" "$(grep -c '^reference: ' "$work/err") 
 awk -F, '$16 == "ok" && $5 <= 1e-4 { if ($1 == "radau9" && (!one || $9 < one)) one = $9; if ($19 == 4 && (!two || $9 < two)) two = $9 }
     END { print two, one; exit !(two > 0 && one >= 4 * two) }' "$work/rows" >"$work/line"
 expect "order 4 at 1e-4: a quarter of the work of one rate" 0 $? "$work/line" "$work/err"
-expect "order 4 at 1e-4: told" 1 "$(grep -Ec '^error below 1e-04: subcycle of order 4 at step .*, ratio 20 .*radau9, which takes 5\.[01] times' "$work/err")" "$work/err"
+expect "order 4 at 1e-4: told" 1 "$(grep -Ec '^error below 1e-04: subcycle of order 4 at step .*, ratio 20 .*radau9, which takes 5\.[34] times' "$work/err")" "$work/err"
 timeout 120 "$FMDSUB" study --repeats 0 --budget 20 --schemes subcycle,radau9 decks/satellite-instrument.yaml >"$work/rows" 2>"$work/err"
 # Trials at 1e-6 do not resolve the carriage on its bearing and promise both runs of the reference to 1e-11 within the budget:
 # those are left, and two that get to records are found by what they have cost.
