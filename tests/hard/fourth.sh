@@ -45,7 +45,7 @@ DECK
 fine() {
     "$FMDSUB" run -q --set integrate='{scheme: dop853, tolerance: 1.0e-11, until: 1}' "$work/$1.yaml" >"$work/want" 2>"$work/err"
     "$FMDSUB" run "$work/$1.yaml" >"$work/out" 2>"$work/err"
-    expect "order 4, $1: ends" 0 $? "$work/err"
+    ended "order 4, $1: ends" 0 $? "$work/out" "$work/err"
     awk -F, -v most="$2" 'FNR == 1 { next } NR == FNR { x[FNR] = $2; if ($2 < low) low = $2; if ($2 > high) high = $2; next }
         { n++; d = ($2 - x[FNR]) / (high - low); if (d < 0) d = -d; if (d > off) off = d } END { print off; exit !(n == 51 && off < most) }' "$work/want" "$work/out" >"$work/off"
     expect "order 4, $1: error below $2" 0 $? "$work/off"
