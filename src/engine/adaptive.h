@@ -69,11 +69,10 @@ struct adaptive {
     struct trouble cause; /* of steps that have shrunk to nothing, since the last that was taken */
     double work[POWER_CHANNELS];
     struct passing_look *passing; /* see passing.h; NULL: nothing could be passed over */
-
-    struct works works;  /* what their errors are judged by */
-    struct rk rk;        /* slopes at points: rk.du[0], rk.dv[0], rk.w[0] are those at the state */
-    void *own;           /* the scheme's memory */
-    struct relay *relay; /* of several schemes; NULL: it is one */
+    struct works works;           /* what their errors are judged by */
+    struct rk rk;                 /* slopes at points: rk.du[0], rk.dv[0], rk.w[0] are those at the state */
+    void *own;                    /* the scheme's memory */
+    struct relay *relay;          /* of several schemes; NULL: it is one */
 };
 
 struct adaptive_scheme {
