@@ -3,9 +3,16 @@
 
 #include <math.h>
 
+#include "base/scalar.h"
 #include "engine/matrix.h"
 #include "engine/motion.h"
 #include "la/dense.h"
+
+/* Limbs without fast coordinates share no inertia with these: their part of M_LL serves the iteration alone.  Where they hold
+ * most of the bodies it is kept until a slow coordinate has moved by FAR of a usual change, or by SHORTER of the way after which a
+ * step took a third sweep for one of theirs, if that was beyond NEAR; each step it may be LONGER.  (tests/bench/arms takes as many
+ * sweeps with up to .17 as with a new one in each step; a chain of forty links that falls, a third one from .02 on.) */
+static const double FEW_OF_ALL = 1. / 3, FAR = .04, NEAR = .0025, SHORTER = .75, LONGER = 1.05;
 
 enum { SMALL = 12 };                   /* coordinates up to which full matrices are no slower than structured ones */
 enum { FORMED = 12, WITH_ZEROS = 64 }; /* M_f is formed for so many coordinates of fast bodies, of so many in all */
@@ -38,6 +45,8 @@ void decouple_open(struct decouple *p, const struct ode2 *ode, struct effort *ef
     p->r = TAKE(life, double, n);
     p->a = TAKE(life, double, n);
     if (p->structured) p->F = arena_take(life, 1, direct->factor_size);
+    p->limbs = p->structured ? direct->limbs : 1;
+    if (p->limbs < FEW_OF_ALL) p->there = TAKE(life, double, ode->nq);
 }
 
 void decouple_dense(struct decouple *p)
@@ -85,11 +94,41 @@ static int invert(struct decouple *p)
     return -1;
 }
 
-static enum status by_structure(struct decouple *p, const struct instant *x, struct trouble *why)
+/* How far the slow coordinates have moved since all limbs were factored, in usual changes. */
+static double moved(const struct decouple *p, const double *q)
+{
+    double most = 0;
+    motion_diff(p->ode, p->z, q, p->there);
+    for (int i = p->ns; i < p->n; i++) most = larger(most, fabs(p->z[i]) / ode2_usual(p->ode, i));
+    return most;
+}
+
+static enum status factor(struct decouple *p, const struct instant *x, bool whole, struct trouble *why)
+{
+    p->moved = p->there && !whole ? moved(p, x->q) : INFINITY;
+    p->lags = p->moved <= p->far;
+    p->effort->slow += !p->lags;
+    TRY(p->ode->direct->stiffen(p->ode, p->F, p->none, x->q, x->t, p->lags ? LIMBS : ALL, why));
+    if (p->there && !p->lags) copy(p->there, x->q, p->ode->nq);
+    return OK;
+}
+
+void decouple_solved(struct decouple *p, int count, int worst)
+{
+    const bool slower = p->lags && p->moved > NEAR && count > 2 && worst >= p->ns + p->ml;
+    p->far = slower ? SHORTER * p->moved : smaller(FAR, LONGER * p->far);
+}
+
+void decouple_forget(struct decouple *p)
+{
+    p->far = FAR;
+}
+
+static enum status by_structure(struct decouple *p, const struct instant *x, bool whole, struct trouble *why)
 {
     const struct ode2_direct *direct = p->ode->direct;
     int ns = p->ns, nl = p->nl;
-    TRY(direct->stiffen(p->ode, p->F, p->none, x->q, x->t, why));
+    TRY(factor(p, x, whole, why));
     for (int j = 0; j < ns; j++) {
         zero(p->z, p->n);
         p->z[j] = 1;
@@ -228,11 +267,21 @@ static enum status slow_share(struct decouple *p, const struct instant *x, struc
     return OK;
 }
 
-enum status decouple_at(struct decouple *p, const struct instant *x, struct trouble *why)
+void decouple_recall(struct decouple *p, struct recall *r)
 {
-    p->effort->slow++;
+    if (!p->structured || !p->there) return;
+    recall_within(r, "limbs");
+    recall_list(r, "there", p->there, p->ode->nq);
+    recall_one(r, "far", p->far);
+    recall_list(r, "factor", (double *)p->F, p->ode->direct->factor_size / sizeof(double));
+    recall_without(r);
+}
+
+enum status decouple_at(struct decouple *p, const struct instant *x, bool whole, struct trouble *why)
+{
     p->effort->fast++;
-    if (p->structured && by_structure(p, x, why) != OK) decouple_dense(p);
+    if (p->structured && by_structure(p, x, whole, why) != OK) decouple_dense(p);
+    p->effort->slow += !p->structured;
     if (!p->structured) TRY(by_matrix(p, x, why));
     return p->reach ? slow_share(p, x, why) : OK;
 }

@@ -27,6 +27,7 @@
 
 #include "base/arena.h"
 #include "base/inline.h"
+#include "base/recall.h"
 #include "engine/stepper.h"
 #include "la/dense.h"
 
@@ -99,6 +100,10 @@ struct decouple {
     double *M;         /* [n x n]; as L, NULL as long as the owner's structure serves */
     double *L;         /* [nl x nl] Cholesky factor of M_LL */
     void *F;           /* the owner's factor of M^ */
+    double limbs;      /* share of the bodies that stands on limbs of the ground with fast coordinates */
+    double *there;     /* [nq] where all limbs were factored last; NULL: they are in each step */
+    bool lags;         /* of F only limbs with fast coordinates are of this step */
+    double moved, far; /* how far slow coordinates have moved from `there`, in usual changes; how far they may */
     double *Mf;        /* [n x n] M_f, or M_s; NULL: it is not formed */
     double *none;      /* [n] zeros */
     double *z, *r, *a; /* [n] */
@@ -106,8 +111,14 @@ struct decouple {
 };
 
 void decouple_open(struct decouple *p, const struct ode2 *ode, struct effort *effort, struct arena *life);
-/* W, M~_SS, M_s W and W' M_s W at x (q, v, t). */
-enum status decouple_at(struct decouple *p, const struct instant *x, struct trouble *why);
+/* W, M~_SS, M_s W and W' M_s W at x (q, v, t).  whole: with M_LL of limbs without fast coordinates, which only the
+ * iteration feels; else that stays as it is until these have moved far. */
+enum status decouple_at(struct decouple *p, const struct instant *x, bool whole, struct trouble *why);
+/* A step was solved by `count` iterations; in the last one coordinate `worst` was corrected most. */
+void decouple_solved(struct decouple *p, int count, int worst);
+void decouple_forget(struct decouple *p);
+/* What limbs keep from step to step. */
+void decouple_recall(struct decouple *p, struct recall *r);
 /* From now on M^ is formed, whatever structure its owner has. */
 void decouple_dense(struct decouple *p);
 

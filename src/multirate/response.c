@@ -272,7 +272,7 @@ static enum status factor_slow(struct response *p, struct decouple *dec, const d
     p->formed = 0;
     if (dec->structured && !p->diagonal) return trouble_set(why, TROUBLE_SINGULAR, -1, 0, t);
     if (!response_factors(p, dec)) return OK;
-    return dec->structured ? dec->ode->direct->stiffen(dec->ode, p->GF, p->d, q, t, why)
+    return dec->structured ? dec->ode->direct->stiffen(dec->ode, p->GF, p->d, q, t, dec->lags ? LIMBS : ALL, why)
                            : factor_dense_slow(p, dec, t, why);
 }
 

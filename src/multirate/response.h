@@ -82,7 +82,7 @@ struct response {
 enum status response_need(struct response *p, double t, struct trouble *why);
 
 /* The frozen matrices, and the masses that they are for: base/recall.h. */
-void response_recall(struct response *p, struct recall *r);
+void response_recall(struct response *p, const struct decouple *dec, struct recall *r);
 
 /* A and D are p's. */
 void response_open(struct response *p, const struct decouple *dec, struct arena *life);

@@ -43,7 +43,7 @@ static void coupling_recall(struct response *p, struct recall *r)
     recall_list(r, "swapT", p->swapT, cols);
 }
 
-void response_recall(struct response *p, struct recall *r)
+void response_recall(struct response *p, const struct decouple *dec, struct recall *r)
 {
     const size_t n = (size_t)p->n, ns = (size_t)p->ns, nl = (size_t)p->nl;
     recall_within(r, "response");
@@ -65,6 +65,10 @@ void response_recall(struct response *p, struct recall *r)
     recall_one(r, "drives", p->drives);
     minor_recall(&p->one, r);
     dense_recall(p, r);
+    if (dec->structured && dec->there && p->stiff) {
+        const size_t factor = dec->ode->direct->factor_size / sizeof(double);
+        recall_list(r, "factor", (double *)p->GF, factor);
+    }
     if (p->drives) coupling_recall(p, r);
     recall_without(r);
 }

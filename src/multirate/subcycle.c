@@ -208,8 +208,7 @@ static enum status attempt(struct subcycle *c, struct trouble *why)
     subcycle_coarse_plan(c);
     newton_begin(&c->newton, c->last_local);
     energy_scale(c);
-    int changed = c->resp.h != c->h || c->resp.H != c->H || c->resp.ratio != c->ratio;
-    if (c->newton.stale || c->local || changed)
+    if (subcycle_refresh_due(c))
         TRY(subcycle_refresh(c, why));
     else
         TRY(subcycle_renew(c, why));
@@ -234,6 +233,7 @@ static void forget(struct subcycle *c)
     c->coarse.rest = 0;
     c->coarse.missed = c->coarse.whole = 0;
     c->last_local = -1;
+    decouple_forget(&c->dec);
 }
 
 static void begin(struct subcycle *c, const struct state *x, double h, int ratio, double to)
@@ -330,7 +330,8 @@ static enum status recall(struct stepper *s, struct recall *r)
     recall_one(r, "local", c->local);
     recall_one(r, "structured", c->dec.structured);
     if (!c->dec.structured) TRY(response_need(&c->resp, c->t0, NULL));
-    response_recall(&c->resp, r);
+    decouple_recall(&c->dec, r);
+    response_recall(&c->resp, &c->dec, r);
     return OK;
 }
 

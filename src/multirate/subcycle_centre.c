@@ -14,12 +14,16 @@
  * decks/satellite-instrument, and by 1.4e-8 where each stage is solved twice. */
 static const double BESIDE = 1e-3;
 
+/* M_LL that lags may cost a sweep more: one evaluation of the slow bodies and, in such evaluations, at most DEAR of the fast
+ * ones. */
+static const double DEAR = 2;
+
 /* W at qbar, which is at the time t; what the step has found stays. */
 static enum status move(struct subcycle *c, double t, struct trouble *why)
 {
     copy(c->qcentre, c->qbar, c->ode->nq);
     decouple_recoil(&c->dec, c->du, -1, c->dsum);
-    TRY(subcycle_decouple(c, c->qcentre, t, why));
+    TRY(subcycle_decouple(c, c->qcentre, t, false, why));
     decouple_recoil(&c->dec, c->du, 1, c->dsum);
     return OK;
 }
@@ -45,7 +49,8 @@ enum status subcycle_centre(struct subcycle *c, const struct step_options *optio
     double t = c->t0;
     const bool ahead = options->stage && !fresh && foreseen(c, &t);
     if (ahead) copy(c->qcentre, c->qbar, c->ode->nq);
-    TRY(subcycle_decouple(c, ahead ? c->qcentre : c->q0, ahead ? t : c->t0, why));
+    const bool whole = fresh || subcycle_refresh_due(c) || c->ratio * c->dec.limbs > DEAR;
+    TRY(subcycle_decouple(c, ahead ? c->qcentre : c->q0, ahead ? t : c->t0, whole, why));
     const bool recoils = c->dec.reach > 0 || c->alpha > 0; /* else W is nothing at either end */
     c->follows = options->symmetric && recoils && options->stage;
     c->again = options->symmetric && recoils && !options->stage;

@@ -9,7 +9,7 @@
 static enum status solve_mass(struct open_tree *s, double *x, const double *q, double t, struct trouble *why)
 {
     const int n = s->model->n;
-    if (s->ops->factor(s->sweep, s->factor, 1, s->zero, NULL)) {
+    if (s->ops->factor(s->sweep, s->factor, 1, s->zero, NULL, ALL)) {
         s->ops->solve(s->sweep, s->factor, x);
         return OK;
     }
@@ -49,18 +49,19 @@ static enum status factor(const struct ode2 *o, void *F, double cm, double cc, d
     if (f->moving && s->ops->moving_factor(s->sweep, f->of, cm, cc, ck, s->d, x->v, x->a)) return OK;
     f->moving = 0;
     s->placed = false;
-    return s->ops->factor(s->sweep, f->of, cm, s->d, x->q) ? OK : trouble_set(why, TROUBLE_SINGULAR, -1, 0, x->t);
+    return s->ops->factor(s->sweep, f->of, cm, s->d, x->q, ALL) ? OK : trouble_set(why, TROUBLE_SINGULAR, -1, 0, x->t);
 }
 
-static enum status stiffen(const struct ode2 *o, void *F, const double *d, const double *q, double t,
+static enum status stiffen(const struct ode2 *o, void *F, const double *d, const double *q, double t, unsigned cls,
                            struct trouble *why)
 {
     struct open_tree *s = o->self;
     struct factor *f = F;
     s->placed = s->placed && posture_is(&s->posture, q, s->model->nq);
     f->moving = 0;
-    return s->ops->factor(s->sweep, f->of, 1, d, s->placed ? NULL : q) ? OK
-                                                                       : trouble_set(why, TROUBLE_SINGULAR, -1, 0, t);
+    return s->ops->factor(s->sweep, f->of, 1, d, s->placed ? NULL : q, cls)
+               ? OK
+               : trouble_set(why, TROUBLE_SINGULAR, -1, 0, t);
 }
 
 static void solve(const struct ode2 *o, const void *F, double *x)
@@ -85,5 +86,6 @@ void open_direct(struct open_tree *o, struct arena *life)
                                      .least = whole ? 7 : 13,
                                      .factor = structured ? factor : NULL,
                                      .stiffen = stiffen,
+                                     .limbs = rosters_limbs(o->model, life),
                                      .solve = solve};
 }

@@ -21,7 +21,7 @@ bool inverse_build(struct inverse *o, const struct ode2 *ode, const double *q, d
     *o = (struct inverse){.ode = ode};
     if (ode->direct && ode->direct->stiffen) {
         o->F = arena_take(scratch, 1, ode->direct->factor_size);
-        if (ode->direct->stiffen(ode, o->F, TAKE(scratch, double, ode->n), q, t, &why) == OK) return true;
+        if (ode->direct->stiffen(ode, o->F, TAKE(scratch, double, ode->n), q, t, ALL, &why) == OK) return true;
     }
     return dense_inverse(o, q, t, scratch);
 }

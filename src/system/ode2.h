@@ -119,9 +119,11 @@ struct ode2_direct {
     /* x := F^-1 x. */
     void (*solve)(const struct ode2 *o, const void *F, double *x);
     /* F := M(q) + diag(d), d [n], factored likewise; a coordinate with d = INFINITY is held: its x of
-     * solve() is 0, and the others move as if it were not there. */
-    enum status (*stiffen)(const struct ode2 *o, void *F, const double *d, const double *q, double t,
+     * solve() is 0, and the others move as if it were not there.  LIMBS: only what shares inertia with fast coordinates, the
+     * rest of F stays as it was made last. */
+    enum status (*stiffen)(const struct ode2 *o, void *F, const double *d, const double *q, double t, unsigned cls,
                            struct trouble *why);
+    double limbs; /* that costs such a share of the whole */
 };
 
 /* Between accepted major steps only. */

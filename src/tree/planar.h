@@ -117,7 +117,7 @@ void planar_energy(const struct sweep *s, double *kinetic, double *gravity);
 void planar_reaction(const struct sweep *s, double *f, double *n, int joint);
 void planar_mass(struct sweep *s, double *M, const double *q, unsigned cls);
 size_t planar_factor_size(const struct sweep *s);
-int planar_factor(struct sweep *s, void *F, double cm, const double *d, const double *q);
+int planar_factor(struct sweep *s, void *F, double cm, const double *d, const double *q, unsigned cls);
 void planar_solve(const struct sweep *s, const void *F, double *x);
 size_t planar_moving_size(const struct sweep *s);
 int planar_moving_factor(struct sweep *s, void *F, double cm, double cc, double ck, const double *d, const double *v,

@@ -91,21 +91,24 @@ static inline void carry(double *to, const double *I, const double *arm)
     to[5] += I[5];
 }
 
-TWICE int factor(struct sweep *s, void *F, double cm, const double *d, bool flexible)
+/* only [nbody]: those bodies; NULL: all. */
+TWICE int factor(struct sweep *s, void *F, double cm, const double *d, const bool *only, bool flexible)
 {
     double(*arm)[2] = arms(F);
     struct pivot *base = pivots(s, F);
     for (int i = 1; i < s->nbody; i++) {
         double *I = s->part[i].I;
+        if (only && !only[i]) continue;
         I[0] = cm * s->link[i].inertia;
         I[3] = I[5] = cm * s->link[i].mass;
         I[1] = I[2] = I[4] = 0;
     }
-    if (flexible) planar_flex_start(s, cm, d);
+    if (flexible) planar_flex_start(s, cm, d, only);
     for (int i = s->nbody - 1; i > 0; i--) {
         const struct link *l = &s->link[i];
         struct part *x = &s->part[i];
         struct pivot *pivot = base + l->pivot;
+        if (only && !only[i]) continue;
         if (flexible && !planar_flex_eliminate(s, modes(s, F), i, d)) return 0;
         if (!(l->type == TURN ? joint(pivot, x, l, d, 1) : joint(pivot, x, l, d, l->nv))) return 0;
         arm[i][0] = x->arm[0];
@@ -115,10 +118,12 @@ TWICE int factor(struct sweep *s, void *F, double cm, const double *d, bool flex
     return 1;
 }
 
-int planar_factor(struct sweep *s, void *F, double cm, const double *d, const double *q)
+int planar_factor(struct sweep *s, void *F, double cm, const double *d, const double *q, unsigned cls)
 {
-    if (q) planar_place(s, q, ALL);
-    return s->bend ? factor(s, F, cm, d, true) : factor(s, F, cm, d, false);
+    const bool *only = cls == LIMBS ? s->rosters.limbs : NULL;
+    if (q) planar_place(s, q, cls);
+    if (s->bend) return factor(s, F, cm, d, only, true);
+    return only ? factor(s, F, cm, d, only, false) : factor(s, F, cm, d, NULL, false);
 }
 
 /* From a body to its parent: right sides, and the bias that it has itself and brings up. */

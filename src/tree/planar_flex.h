@@ -80,7 +80,7 @@ void planar_flex_couple(const struct node_body *o, const double *I, const double
 /* Articulated bodies: I, U, M of the bodies alone; the modes of a body eliminated (0: no pivot), or their part in
  * what hangs on a node added to the body there; then the same with forces p inwards and twists V outwards.  F is
  * [for_modes]. */
-void planar_flex_start(struct sweep *s, double cm, const double *d);
+void planar_flex_start(struct sweep *s, double cm, const double *d, const bool *only);
 int planar_flex_eliminate(struct sweep *s, double *F, int body, const double *d);
 void planar_flex_forces(const struct sweep *s, const double *F, double *p, double *x, int body);
 void planar_flex_twist(const struct sweep *s, const double *F, double *V, double *x, int body);

@@ -20,12 +20,12 @@
 #include "la/vec3.h"
 #include "tree/planar_flex.h"
 
-void planar_flex_start(struct sweep *s, double cm, const double *d)
+void planar_flex_start(struct sweep *s, double cm, const double *d, const bool *only)
 {
     for (int i = 1; i < s->nbody; i++) {
         struct flexible *b = s->bend[i];
         double h[2], *I = s->part[i].I;
-        if (!b) continue;
+        if (!b || (only && !only[i])) continue;
         planar_flex_shape(b);
         planar_flex_first_moment(h, b);
         I[0] = cm * b->shape.J;

@@ -49,6 +49,29 @@ static void find_wanted(bool *wanted, const struct model *m)
     }
 }
 
+/* Of the limbs that hold one of `bodies` all that they carry. */
+static const bool *find_limbs(const struct model *m, const bool *bodies, struct arena *life)
+{
+    bool *limbs = TAKE(life, bool, m->nbody);
+    for (int i = m->nbody - 1; i > 0; i--) {
+        limbs[i] |= bodies[i];
+        if (m->body[i].parent) limbs[m->body[i].parent] |= limbs[i];
+    }
+    for (int i = 1; i < m->nbody; i++)
+        if (m->body[i].parent) limbs[i] = limbs[m->body[i].parent];
+    return limbs;
+}
+
+double rosters_limbs(const struct model *m, struct arena *life)
+{
+    bool *fast = TAKE(life, bool, m->nbody);
+    double sum = 0;
+    for (int i = 1; i < m->nbody; i++) fast[i] = m->body[i].fast;
+    const bool *limbs = find_limbs(m, fast, life);
+    for (int i = 1; i < m->nbody; i++) sum += limbs[i];
+    return m->nbody > 1 ? sum / (m->nbody - 1) : 1;
+}
+
 void roster_clear(const struct roster *o, double *M, int n)
 {
     const size_t near = (size_t)o->near, rows = (size_t)n;
@@ -60,7 +83,7 @@ void rosters_build(struct rosters *o, const struct model *m, enum purpose purpos
                    struct arena *life)
 {
     bool *fast = TAKE(life, bool, m->nbody), *slow = TAKE(life, bool, m->nbody), *all = TAKE(life, bool, m->nbody);
-    bool *moves = TAKE(life, bool, m->nbody), *none = TAKE(life, bool, m->nbody);
+    bool *moves = TAKE(life, bool, m->nbody), *none = TAKE(life, bool, m->nbody), *limbs = TAKE(life, bool, m->nbody);
     memset(o, 0, sizeof *o);
     if (purpose == FOR_STEPS)
         find_wanted(all, m);
@@ -70,6 +93,8 @@ void rosters_build(struct rosters *o, const struct model *m, enum purpose purpos
         fast[i] = moves[i] = bodies ? bodies[i] : all[i] && m->body[i].fast;
         slow[i] = all[i] && !m->body[i].fast;
     }
+    o->limbs = find_limbs(m, fast, life);
+    for (int i = 1; i < m->nbody; i++) limbs[i] = all[i] && o->limbs[i];
     for (int i = 0; i < m->nforce && !bodies; i++)
         if (m->force[i].cls & FAST) touch_force(moves, m, &m->force[i]);
     for (int i = m->nbody - 1; i > 0; i--)
@@ -77,6 +102,7 @@ void rosters_build(struct rosters *o, const struct model *m, enum purpose purpos
     list(&o->of[FAST], moves, fast, m->nbody, life);
     list(&o->of[SLOW], none, slow, m->nbody, life);
     list(&o->of[ALL], none, all, m->nbody, life);
-    o->of[SLOW].near = o->of[ALL].near = m->n;
+    list(&o->of[LIMBS], none, limbs, m->nbody, life);
+    o->of[SLOW].near = o->of[ALL].near = o->of[LIMBS].near = m->n;
     o->of[FAST].near = bodies || m->near == 0 ? m->n : m->near;
 }

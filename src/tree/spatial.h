@@ -194,7 +194,7 @@ void spatial_energy(const struct sweep *s, double *kinetic, double *gravity);
 void spatial_reaction(const struct sweep *s, double *f, double *n, int joint);
 void spatial_mass(struct sweep *s, double *M, const double *q, unsigned cls);
 size_t spatial_factor_size(const struct sweep *s);
-int spatial_factor(struct sweep *s, void *F, double cm, const double *d, const double *q);
+int spatial_factor(struct sweep *s, void *F, double cm, const double *d, const double *q, unsigned cls);
 void spatial_solve(const struct sweep *s, const void *F, double *x);
 void spatial_aggregate(struct sweep *s, struct aggregate *o, const int *body, int n, int what);
 void spatial_adjust_motion(struct sweep *s, const struct motion_change *o, const struct aggregate *now, const int *body,

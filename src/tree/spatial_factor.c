@@ -130,16 +130,19 @@ static inline void start(struct articulated *A, double cm, const struct link *l,
     A->M[3] = A->M[4] = A->M[5] = 0;
 }
 
-int spatial_factor(struct sweep *s, void *F, double cm, const double *d, const double *q)
+int spatial_factor(struct sweep *s, void *F, double cm, const double *d, const double *q, unsigned cls)
 {
+    const bool *only = cls == LIMBS ? s->rosters.limbs : NULL;
     double(*arm)[3] = arms(F);
     struct pivot *pivot = pivots(s, F) + s->n;
     if (s->nflexible) return 0;
-    if (q) spatial_place(s, q, ALL);
-    for (int i = 1; i < s->nbody; i++) start(&s->articulated[i], cm, &s->link[i], &s->part[i]);
+    if (q) spatial_place(s, q, cls);
+    for (int i = 1; i < s->nbody; i++)
+        if (!only || only[i]) start(&s->articulated[i], cm, &s->link[i], &s->part[i]);
     for (int i = s->nbody - 1; i > 0; i--) {
         const struct link *l = &s->link[i];
         pivot -= l->nv;
+        if (only && !only[i]) continue;
         for (int k = 0; k < l->nv; k++) {
             spatial_unit(&pivot[k].s, &s->part[i], l, k);
             if (!eliminate(&pivot[k], &s->articulated[i], d[l->iv[k]])) return 0;

@@ -4,8 +4,8 @@
  * Walker & Paul 1980; composite bodies, Walker & Orin 1982; articulated bodies, Featherstone 1983).
  * Bodies come in three lists by rate class: FAST holds the fast bodies and, for motion only, the
  * slow ones on their path to the ground and those on which fast loads act; SLOW the slow bodies;
- * ALL all.  A sweep may have other bodies for its FAST ones.  W is the sweep's work memory: written by forward(), read by
- * the rest, never kept between evaluations. */
+ * ALL all.  A sweep may have other bodies for its FAST ones.  LIMBS, for factors: all that stands on the ground on a limb with
+ * fast ones.  W is the sweep's work memory: written by forward(), read by the rest, never kept between evaluations. */
 #ifndef FMDSUB_TREE_SWEEP_H
 #define FMDSUB_TREE_SWEEP_H
 
@@ -99,9 +99,9 @@ struct sweep_ops {
                  const struct pull *on);
 
     /* cm M + diag(d), d [n], factored at q (NULL: where place(ALL) has left the bodies) by articulated
-     * bodies into F; 0 when a pivot is not positive. */
+     * bodies into F; 0 when a pivot is not positive.  LIMBS: what belongs to other bodies is in F and stays. */
     size_t (*factor_size)(const struct sweep *s);
-    int (*factor)(struct sweep *s, void *F, double cm, const double *d, const double *q);
+    int (*factor)(struct sweep *s, void *F, double cm, const double *d, const double *q, unsigned cls);
     void (*solve)(const struct sweep *s, const void *F, double *x);
 
     /* cm M + cc C + ck K + diag(d), with C and K all that the inertia of moving bodies and turning arms bring, where
@@ -144,11 +144,14 @@ struct roster {
     const char *bears; /* [n] 1: with its mass, 0: motion (and pushed forces) only */
 };
 struct rosters {
-    struct roster of[4]; /* by class: FAST, SLOW, ALL */
+    struct roster of[5]; /* by class: FAST, SLOW, ALL, LIMBS */
+    const bool *limbs;   /* [nbody] LIMBS, with what stands still in sweeps of the step loop */
 };
 /* bodies: as in build(). */
 void rosters_build(struct rosters *o, const struct model *m, enum purpose purpose, const bool *bodies,
                    struct arena *life);
+/* The bodies of LIMBS as a share of all. */
+double rosters_limbs(const struct model *m, struct arena *life);
 /* M [n x n] := 0 where bodies of that list may have mass. */
 void roster_clear(const struct roster *o, double *M, int n);
 

@@ -297,7 +297,7 @@ static void articulated_bodies_solve_the_dense_system(void **state)
             b[i] = x[i] = tree_roll(&dice, -1, 1);
         }
         sweep_planar.forward(f.s, f.q, f.v, NULL, ALL);
-        assert_true(sweep_planar.factor(f.s, F, cm, d, seed % 4 < 2 ? f.q : NULL));
+        assert_true(sweep_planar.factor(f.s, F, cm, d, seed % 4 < 2 ? f.q : NULL, ALL));
         sweep_planar.move(f.s, f.v, f.q, ALL); /* elsewhere: the factor stands by itself */
         sweep_planar.solve(f.s, F, x);
         sweep_planar.mass(f.s, M, f.q, ALL);
@@ -332,9 +332,9 @@ static void massless_modes_have_no_pivot(void **state)
             memset(o->ppsi, 0, sizeof *o->ppsi * (size_t)(n * n));
             struct sweep *s = sweep_planar.build(f.m, FOR_RECORDS, NULL, f.arena);
             void *F = arena_take(f.arena, 1, sweep_planar.factor_size(s));
-            assert_false(sweep_planar.factor(s, F, 1, d, f.q));
+            assert_false(sweep_planar.factor(s, F, 1, d, f.q, ALL));
             for (int k = 0; k < n; k++) d[body->mode_v[k]] = 1;
-            assert_true(sweep_planar.factor(s, F, 1, d, f.q));
+            assert_true(sweep_planar.factor(s, F, 1, d, f.q, ALL));
             bodies++;
         }
         arena_close(f.arena);

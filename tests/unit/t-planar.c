@@ -378,7 +378,7 @@ static void articulated_bodies_solve_the_dense_system(void **state)
         int n = f.m->n;
         void *F = arena_take(f.arena, 1, sweep_planar.factor_size(f.s));
         for (int i = 0; i < n; i++) d[i] = tree_roll(&dice, 0, 5), b[i] = x[i] = tree_roll(&dice, -1, 1);
-        assert_true(sweep_planar.factor(f.s, F, cm, d, f.q));
+        assert_true(sweep_planar.factor(f.s, F, cm, d, f.q, ALL));
         sweep_planar.solve(f.s, F, x);
         sweep_planar.mass(f.s, M, f.q, ALL);
         for (int i = 0; i < n; i++) {
@@ -401,9 +401,9 @@ static void a_massless_freedom_has_no_pivot(void **state)
     struct sweep *s = sweep_planar.build(f.m, FOR_RECORDS, NULL, f.arena);
     void *F = arena_take(f.arena, 1, sweep_planar.factor_size(s));
     double d[MOST] = {0};
-    assert_false(sweep_planar.factor(s, F, 1, d, f.q));
+    assert_false(sweep_planar.factor(s, F, 1, d, f.q, ALL));
     d[3] = 1; /* a stiff joint holds it */
-    assert_true(sweep_planar.factor(s, F, 1, d, f.q));
+    assert_true(sweep_planar.factor(s, F, 1, d, f.q, ALL));
     close_tree(&f);
 }
 

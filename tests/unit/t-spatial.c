@@ -646,7 +646,7 @@ static void test_factor(void **state)
                 d[k] = run == 0 ? 0 : run == 1 ? tree_roll(&dice, 0, 1) : pow(10, tree_roll(&dice, -3, 6));
                 x[k] = y[k] = tree_roll(&dice, -1, 1);
             }
-            assert_int_equal(ops->factor(o.s, F, cm, d, o.q), 1);
+            assert_int_equal(ops->factor(o.s, F, cm, d, o.q, ALL), 1);
             ops->solve(o.s, F, x);
             ops->mass(o.s, M, o.q, ALL);
             for (int k = 0; k < n * n; k++) M[k] *= cm;
@@ -655,7 +655,7 @@ static void test_factor(void **state)
             NEAR(x, y, n, 1e-11);
         }
         double d[MOST] = {0}, b[MOST], again[MOST]; /* at another state the factor stays what it was */
-        assert_int_equal(ops->factor(o.s, F, 1, d, o.q), 1);
+        assert_int_equal(ops->factor(o.s, F, 1, d, o.q, ALL), 1);
         memcpy(b, o.v, sizeof b), memcpy(again, o.v, sizeof b);
         ops->solve(o.s, F, b);
         ops->forward(o.s, o.m->q0, o.m->v0, NULL, ALL);
@@ -663,9 +663,9 @@ static void test_factor(void **state)
         assert_memory_equal(b, again, sizeof *b * (size_t)n);
         if (n) {
             d[n - 1] = -1e3;
-            assert_int_equal(ops->factor(o.s, F, 1, d, o.q), 0);
+            assert_int_equal(ops->factor(o.s, F, 1, d, o.q, ALL), 0);
             d[n - 1] = NAN;
-            assert_int_equal(ops->factor(o.s, F, 1, d, o.q), 0);
+            assert_int_equal(ops->factor(o.s, F, 1, d, o.q, ALL), 0);
         }
         arena_close(o.arena);
     }
@@ -688,10 +688,10 @@ static void test_factor_without_mass(void **state)
         double d[MOST] = {0};
         if (joint->nv) {
             seen++;
-            assert_int_equal(ops->factor(s, F, 1, d, m->q0), 0);
+            assert_int_equal(ops->factor(s, F, 1, d, m->q0, ALL), 0);
             for (int k = 0; k < joint->nv; k++) d[joint->iv[k]] = 1;
         }
-        assert_int_equal(ops->factor(s, F, 1, d, m->q0), 1);
+        assert_int_equal(ops->factor(s, F, 1, d, m->q0, ALL), 1);
         arena_close(arena);
     }
     assert_true(seen > SEEDS / 2);

@@ -38,7 +38,7 @@ static void test_factor(void **state)
             b[i] = x[i] = tree_roll(&dice, -1, 1);
         }
         void *F = arena_take(arena, 1, o->direct->factor_size);
-        assert_int_equal(o->direct->stiffen(o, F, d, m->q0, 0, NULL), OK);
+        assert_int_equal(o->direct->stiffen(o, F, d, m->q0, 0, ALL, NULL), OK);
         o->direct->solve(o, F, x);
         assert_int_equal(o->ops->mass(o, M, m->q0, 0, ALL, NULL), OK);
         for (int i = 0; i < n; i++) {
