@@ -146,12 +146,25 @@ static enum status by_structure(struct decouple *p, const struct instant *x, boo
     return OK;
 }
 
+/* M^; where M_f is wanted, too, as the sum of M_s and M_f, which is no more work. */
+static enum status form_mass(struct decouple *p, const struct instant *x, struct trouble *why)
+{
+    const int n = p->n, near = p->ns + p->ml;
+    const struct ode2 *o = p->ode;
+    if (!p->Mf) return o->ops->mass(o, p->M, x->q, x->t, ALL, why);
+    TRY(o->ops->mass(o, p->M, x->q, x->t, SLOW, why));
+    TRY(o->ops->mass(o, p->Mf, x->q, x->t, FAST, why));
+    for (int j = 0; j < near; j++)
+        for (int i = 0; i < near; i++) p->M[i + (long)j * n] += p->Mf[i + (long)j * n];
+    return OK;
+}
+
 static enum status by_matrix(struct decouple *p, const struct instant *x, struct trouble *why)
 {
     int n = p->n, ns = p->ns, nl = p->nl;
     TRY(matrix_need(&p->M, n, n, p->life, x->t, why));
     TRY(matrix_need(&p->L, nl, nl, p->life, x->t, why));
-    TRY(p->ode->ops->mass(p->ode, p->M, x->q, x->t, ALL, why));
+    TRY(form_mass(p, x, why));
     dense_copy(p->Mss, p->M, ns, ns, ns, n);
     dense_copy(p->W, p->M + ns, nl, ns, nl, n);
     p->reach = last_row(p->W, nl, ns);
@@ -217,8 +230,10 @@ static enum status by_rows(struct decouple *p, struct instant *with, double s, i
 static enum status by_fast_mass(struct decouple *p, const struct instant *x, int rows, struct trouble *why)
 {
     const int n = p->n, ns = p->ns, ml = p->ml;
-    p->effort->fast++;
-    TRY(p->ode->ops->mass(p->ode, p->Mf, x->q, x->t, FAST, why));
+    if (p->structured) {
+        p->effort->fast++;
+        TRY(p->ode->ops->mass(p->ode, p->Mf, x->q, x->t, FAST, why));
+    }
     dense_copy(p->MsW, p->Mf + ns, ml, ns, ml, n);
     dense_gemm(p->MsW, -1, p->Mf + ns + (long)ns * n, p->W, ml, rows, ns, ml, n, p->nl);
     return OK;
@@ -240,7 +255,7 @@ static enum status by_slow_mass(struct decouple *p, const struct instant *x, int
 
 static enum status by_mass(struct decouple *p, const struct instant *x, int rows, struct trouble *why)
 {
-    return p->ml == p->nl ? by_slow_mass(p, x, rows, why) : by_fast_mass(p, x, rows, why);
+    return p->structured && p->ml == p->nl ? by_slow_mass(p, x, rows, why) : by_fast_mass(p, x, rows, why);
 }
 
 /* MsW by columns or rows, whichever takes fewer evaluations. */

@@ -18,7 +18,7 @@ enum {
     LEAST = 5,
     THIRD = 8
 };                  /* minor steps from which a coarse sweep pays as the second, as the third one of a step */
-enum { REST = 64 }; /* major steps without coarse sweeps after too many have failed */
+enum { REST = 32 }; /* major steps without coarse sweeps after too many have failed */
 static const double FADE = .8; /* of exponential averages */
 static const double OLD =
     .5; /* weight of the average of whole sweeps, which is not renewed while coarse ones are taken */
@@ -67,11 +67,13 @@ void subcycle_coarse_plan(struct subcycle *c)
     c->newton.next = o->rest == 0 && able(c, LEAST);
 }
 
-/* After one whole sweep; or after two where the second was not allowed to be coarse: then little is left, and a
- * coarse sweep leaves a tenth of that. */
+/* After one whole sweep; or after two where little is left: the second was not allowed to be coarse, or what it may have left
+ * between the minor steps that it evaluated is below the tolerance. */
 bool subcycle_coarse_next(const struct subcycle *c)
 {
-    return c->newton.way ? c->newton.count == 1 && able(c, LEAST) : c->newton.count == 2 && able(c, THIRD);
+    const struct newton *nt = &c->newton;
+    if (nt->count == 1) return nt->way && able(c, LEAST);
+    return nt->count == 2 && able(c, THIRD) && (!nt->way || newton_may_leave(nt, COARSE_LEAVES));
 }
 
 bool subcycle_coarse_blind(const struct subcycle *c)

@@ -57,6 +57,7 @@ static enum status stiffen(const struct ode2 *o, void *F, const double *d, const
 {
     struct open_tree *s = o->self;
     struct factor *f = F;
+    if (cls == ALL) open_place(s, q);
     s->placed = s->placed && posture_is(&s->posture, q, s->model->nq);
     f->moving = 0;
     return s->ops->factor(s->sweep, f->of, 1, d, s->placed ? NULL : q, cls)

@@ -135,7 +135,7 @@ static enum status resid(const struct ode2 *o, double *r, double *w, double *dk,
 static enum status mass(const struct ode2 *o, double *M, const double *q, double t, unsigned cls, struct trouble *why)
 {
     struct open_tree *s = tree_of(o);
-    if (cls == ALL) open_place(s, q);
+    if (cls != FAST) open_place(s, q);
     s->placed = placed_at(s, q);
     s->ops->mass(s->sweep, M, s->placed ? NULL : q, cls);
     /* all that enters M enters its diagonal */
