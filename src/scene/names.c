@@ -109,11 +109,39 @@ static bool report_free(struct builder *b, const struct node *n, enum diag_at wh
     return true;
 }
 
+/* A rigid body is moved by joints, and has no coordinates of its own: those of its first joint are told. */
+static bool report_rigid(struct builder *b, const struct node *n, enum diag_at which, const char *code,
+                         const char *name, const char *const *list, int count)
+{
+    const struct scene *scene = b->scene;
+    const char *of_joint[WORDS];
+    const size_t len = strcspn(name, ".");
+    const int body = strcmp(code, "E-unknown-coordinate") == 0 ? scene_find_body(scene, name, len) : 0;
+    int known = 0, i = 0;
+    if (body <= 0 || scene->body[body].nmode) return false;
+    diag_error(b->diags, n, which, code, "body '%.60s' is rigid: coordinates are those of joints",
+               scene->body[body].name);
+    while (i < scene->njoint && scene->joint[i].first != body && scene->joint[i].second != body) i++;
+    if (i == scene->njoint) return true;
+    const char *joint = scene->joint[i].name;
+    for (int k = 0; k < count && known < WORDS; k++)
+        if (strncmp(list[k], joint, strlen(joint)) == 0 && list[k][strlen(joint)] == '.') of_joint[known++] = list[k];
+    const char *meant = diag_nearest(arena_print(b->life, "%s%s", joint, name + len), of_joint, known);
+    if (!name[len] || !known)
+        diag_hint(b->diags, "did you mean joint '%.60s'?", joint);
+    else if (meant && strcmp(meant + strlen(joint), name + len) == 0)
+        diag_hint(b->diags, "did you mean '%s'?", meant);
+    else
+        diag_words(b->diags, of_joint, known);
+    return true;
+}
+
 void unknown_name(struct builder *b, const struct node *n, enum diag_at which, const char *code, const char *kind,
                   const char *name, const char *const *list, int count)
 {
     if (known_but_wrong(b, name) || report_segments(b, n, which, code, name)) return;
     if (report_modes(b, n, which, code, name) || report_free(b, n, which, code, name)) return;
+    if (report_rigid(b, n, which, code, name, list, count)) return;
     diag_error(b->diags, n, which, code, "unknown %s '%s'", kind, diag_clip(b->diags, name));
     diag_suggest(b->diags, name, list, count);
 }

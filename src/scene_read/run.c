@@ -17,24 +17,6 @@ static bool choose_modes(const struct scene *scene, struct scene_choice *o, cons
     return true;
 }
 
-/* A rigid body is moved by joints, and has no coordinates of its own. */
-static bool report_rigid(struct builder *b, const struct node *n)
-{
-    const struct scene *scene = b->scene;
-    int body = 0;
-    for (int i = 1; i < scene->nbody && !body; i++)
-        if (strcmp(scene->body[i].name, n->text) == 0) body = i;
-    if (!body || scene->body[body].nmode || known_but_wrong(b, n->text)) return false;
-    diag_error(b->diags, n, AT_VALUE, "E-unknown-coordinate", "body '%.60s' is rigid: coordinates are those of joints",
-               n->text);
-    for (int i = 0; i < scene->njoint; i++)
-        if (scene->joint[i].first == body || scene->joint[i].second == body) {
-            diag_hint(b->diags, "did you mean joint '%.60s'?", scene->joint[i].name);
-            break;
-        }
-    return true;
-}
-
 static int read_choice(struct builder *b, struct scene_choice *o, const struct node *n)
 {
     const struct scene *scene = b->scene;
@@ -53,7 +35,6 @@ static int read_choice(struct builder *b, struct scene_choice *o, const struct n
             return 1;
         }
     }
-    if (n->type == NODE_SCALAR && report_rigid(b, n)) return 1;
     int count = 0;
     for (int i = 1; i < scene->nbody; i++) modes += scene->body[i].nmode;
     const char **list = TAKE(b->life, const char *, scene->njoint *(1 + JOINT_MAX_Q) + scene->nbody + modes);
