@@ -79,6 +79,9 @@ struct adaptive_scheme {
     int stages; /* of rk, for an explicit method; 2 for the start of any other */
     int order;  /* of the estimate + 1: the first step goes by err^(1/order) */
     bool plain; /* what it goes on from is of the estimate's order, not of a higher one */
+    /* Its estimate tells no signs: it is an odd number of orders below what the scheme goes on from, and of two such errors
+     * one delays a vibration where the other takes energy from it. */
+    bool sizes_only;
     /* Required.  Once: memory into m->own. */
     void (*open)(struct stepper *s, struct adaptive *m, struct arena *life);
     /* Optional.  The state was changed from outside: what is known of steps before is of no use. */

@@ -36,7 +36,7 @@ struct embedded_pair {
 /* All slots of the scheme but stages and order. */
 #define EMBEDDED                                                                                                       \
     .open = embedded_open, .attempt = embedded_attempt, .take = embedded_take, .shrink = embedded_shrink,              \
-    .grow = embedded_grow, .off = embedded_off, .drifts = 1
+    .grow = embedded_grow, .off = embedded_off, .sizes_only = true, .drifts = 1
 void embedded_open(struct stepper *s, struct adaptive *m, struct arena *life);
 enum status embedded_attempt(struct stepper *s, struct adaptive *m, double *err, double t, double h,
                              struct trouble *why);

@@ -5,6 +5,7 @@
 
 #include "base/scalar.h"
 #include "engine/accel.h"
+#include "engine/adaptive.h"
 #include "engine/missed.h"
 #include "engine/motion.h"
 
@@ -43,14 +44,20 @@ static double along(double x, double y, double v, double a, double w)
     return norm > 0 ? (w * w * v * x + a * y) / norm : 0;
 }
 
-/* The local error of a scheme of two rates is known by its size only: all of it counts as delay. */
+/* Are local errors known by their sizes only? */
+static bool sizes_only(const struct stepper *s)
+{
+    return s->kind->two_rates || (s->kind->adaptive && adaptive_of(s)->scheme->sizes_only);
+}
+
+/* Of what is known by its size only all counts as delay. */
 void tangent_told(struct stepper *s, double h, double v)
 {
     struct tangent *o = s->tangent;
     const struct missed *m = s->missed;
     const double dq = m->signed_position - o->seen_position, dv = m->signed_velocity - o->seen_velocity;
     const double mean = (v + o->v_step) / 2, a = (v - o->v_step) / h, w = o->A != 0 ? frequency(o) : 1 / h;
-    if (o->known && h > 0 && s->kind->two_rates)
+    if (o->known && h > 0 && sizes_only(s))
         o->late += along(fabs(dq), fabs(dv), fabs(mean), fabs(a), w);
     else if (o->known && h > 0)
         o->late += along(dq, dv, mean, a, w);

@@ -251,6 +251,11 @@ expect "a slow passage" 0 $? "$work/out"
 "$FMDSUB" run -q --stats="$work/stats" -s 'forces.push.value=10*sin(30*t)' "$ROOT/tests/trust/pushed.yaml" >"$work/out" 2>"$work/err"
 expect "a torque that is quick beside the motion" 1 "$(awk '$1 == "estimated_error" { print $2 < 2e-3 }' "$work/stats")" "$work/err"
 
+# What an explicit pair leaves is of another order than its estimate, whose signs do not tell how it adds up (by dopri5 at 1e-4 0.22 of
+# what is found was told of a four-bar that turns against a damper).
+(cd "$ROOT" && sh tests/tools/trust.sh braked) >"$work/out" 2>&1
+expect "a turn against a damper" 0 $? "$work/out"
+
 # Energies are of the motion, works are sums: an error of 0 is nobody's.
 "$FMDSUB" run --columns energy.kinetic "$ROOT/decks/double-pendulum.yaml" >"$work/out" 2>"$work/err"
 expect "the error of an energy" 1 "$(grep -c "^estimated error: 0.000[1-9]* of the range of 'energy.kinetic'" "$work/err")" "$work/err"

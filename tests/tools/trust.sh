@@ -8,11 +8,10 @@
 
 # name, deck, reference, what the run is: settings; with a ? shown, not judged: sub-cycling of what one force drives as fast
 # as slow, a stiff beam to 1e-7 of its range, order 4 told 62 times too much, a robot whose controllers take errors away, and
-# velocities beside a hard touch, which answer a shift in time by more than the sums of what steps leave in them, and a pushed
-# pendulum by dop853, whose estimates have other signs than its errors.  From audit-ball-chain on decks that
-# no factor of the estimate was chosen by.  random:N is the mechanism drawn from that seed (tests/random); what iterations
-# leave is most of the error there.  upright, light-crank and yoke have one freedom, whose errors are followed
-# (engine/tangent.h), as have slow-passage and pushed, under a force of time, and leaning, with drag.
+# velocities beside a hard touch, which answer a shift in time by more than the sums of what steps leave in them.  From
+# audit-ball-chain on decks that no factor of the estimate was chosen by.  random:N is the mechanism drawn from that seed
+# (tests/random); what iterations leave is most of the error there.  upright, light-crank and yoke have one freedom, whose errors
+# are followed (engine/tangent.h), as have slow-passage and pushed, under a force of time, and leaning and braked, with drag.
 cat >"$work/list" <<'LIST'
 andrews           decks/andrews.yaml            dop853
 axle              decks/axle.yaml               dop853
@@ -283,8 +282,18 @@ pushed            tests/trust/pushed.yaml      dop853  integrate.scheme=newmark 
 pushed            tests/trust/pushed.yaml      dop853  integrate.scheme=rk4 integrate.step=2e-3
 pushed            tests/trust/pushed.yaml      dop853  integrate.scheme=midpoint integrate.tolerance=1e-4
 pushed            tests/trust/pushed.yaml      dop853  integrate.scheme=dopri5 integrate.tolerance=1e-4
-?pushed           tests/trust/pushed.yaml      dop853  integrate.scheme=dop853 integrate.tolerance=1e-6
+pushed            tests/trust/pushed.yaml      dop853  integrate.scheme=dop853 integrate.tolerance=1e-6
 pushed            tests/trust/pushed.yaml      dop853  integrate.scheme=radau9 integrate.tolerance=1e-5
+braked            tests/trust/braked.yaml      dop853  integrate.scheme=midpoint integrate.step=1e-3
+braked            tests/trust/braked.yaml      dop853  integrate.scheme=rk4 integrate.step=2e-3
+braked            tests/trust/braked.yaml      dop853  integrate.scheme=newmark integrate.tolerance=1e-4
+braked            tests/trust/braked.yaml      dop853  integrate.scheme=rk4 integrate.tolerance=1e-4
+braked            tests/trust/braked.yaml      dop853  integrate.scheme=dopri5 integrate.tolerance=1e-4
+braked            tests/trust/braked.yaml      dop853  integrate.scheme=dopri5 integrate.tolerance=1e-5
+braked            tests/trust/braked.yaml      dop853  integrate.scheme=dopri5 integrate.tolerance=1e-7
+braked            tests/trust/braked.yaml      dop853  integrate.scheme=dop853 integrate.tolerance=1e-6
+braked            tests/trust/braked.yaml      dop853  integrate.scheme=radau5 integrate.tolerance=1e-5
+braked            tests/trust/braked.yaml      dop853  integrate.scheme=radau9 integrate.tolerance=1e-6
 LIST
 
 errors() { # RUN REFERENCE: "error column", the worst
