@@ -24,9 +24,7 @@ void trust_follow(struct sim *sim, struct arena *life)
     const double steps = sim->majors * (double)sim->plan.ratio;
     if (!s->kind->adaptive && steps < FEW_STEPS) return;
     if (s->ode->n != 1 || s->touch || sim->options.counting || sim->scene->ndrive > 0) return;
-    const bool timed = trust_of_time(sim), moves = s->kind->adaptive && (!s->natural || s->ode->chart);
-    if (timed && moves) return; /* looks would move records, by round-off */
-    if (s->kind->late || s->kind->adaptive) tangent_open(s, timed, life);
+    if (s->kind->late || s->kind->adaptive) tangent_open(s, trust_of_time(sim), life);
     s->natural = s->natural || (s->tangent && s->kind->adaptive);
 }
 

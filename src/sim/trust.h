@@ -11,8 +11,7 @@
  * energies do, plus what the run's balance and works leave open.
  *
  * With one degree of freedom, no contacts and no drives, errors are propagated along the motion instead (engine/tangent.h);
- * where forces bend or jump, the larger of both counts.  Under forces of time that is so with fixed steps; by tolerance only where
- * nothing has charts and records are interpolated. */
+ * where forces bend or jump, the larger of both counts. */
 #ifndef FMDSUB_SIM_TRUST_H
 #define FMDSUB_SIM_TRUST_H
 
