@@ -197,7 +197,13 @@ static void off(const struct stepper *s, const struct adaptive *m, double *posit
     }
 }
 
-/* Of the last iteration's change of the end, what is left behind it. */
+/* x, farther from 0. */
+static double farther(double x, double by)
+{
+    return x + copysign(by, x);
+}
+
+/* Of the last iteration's change of the end, what is left behind it.  Of which sign it is is not known: signs of the estimate stay. */
 static void left(const struct stepper *s, const struct adaptive *m, double *position, double *velocity, double h)
 {
     const struct radau *x = m->own;
@@ -206,8 +212,8 @@ static void left(const struct stepper *s, const struct adaptive *m, double *posi
     for (int k = 0; k < s->ode->n; k++) {
         double change = 0;
         for (int j = 0; j <= last; j++) change += h * x->table.A[last][j] * x->r[j][k];
-        velocity[k] = fabs(velocity[k]) + rest * fabs(change);
-        position[k] = fabs(position[k]) + rest * fabs(x->gain[last][k]);
+        velocity[k] = farther(velocity[k], rest * fabs(change));
+        position[k] = farther(position[k], rest * fabs(x->gain[last][k]));
     }
 }
 
