@@ -12,10 +12,10 @@
 /* Displacement from look to look in usual sizes, or time in 1/omega: with fixed steps, where looks are expensive
  * beside a step; with steps that the scheme chooses. */
 static const double FAR = .8, NEAR = .4;
-static const double COARSE = 3; /* times as far where looks run short */
-static const double ROUGH = .1; /* of looks in the mean, above that they miss too much of what time does to forces, */
-static const double SPARE = 2;  /* and so much in sum is allowed from the start */
-enum { AT_ONCE = 20 };          /* looks that are allowed from the start, */
+static const double COARSE = 3;      /* times as far where looks run short */
+static const double QUICK = .2;      /* from which two jumps do not stand for how time changes forces, */
+static const double FADES = .3;      /* and what counts of it at the next look */
+enum { AT_ONCE = 20 };               /* looks that are allowed from the start, */
 enum { STEPS = 200, OWN_STEPS = 4 }; /* and one more with so many fixed steps, with so many chosen ones */
 
 void tangent_open(struct stepper *s, bool timed, struct arena *life)
@@ -57,6 +57,8 @@ void tangent_told(struct stepper *s, double h, double v)
     const struct missed *m = s->missed;
     const double dq = m->signed_position - o->seen_position, dv = m->signed_velocity - o->seen_velocity;
     const double mean = (v + o->v_step) / 2, a = (v - o->v_step) / h, w = o->A != 0 ? frequency(o) : 1 / h;
+    o->q_told += dq;
+    o->v_told += dv;
     if (o->known && h > 0 && sizes_only(s))
         o->late += along(fabs(dq), fabs(dv), fabs(mean), fabs(a), w);
     else if (o->known && h > 0)
@@ -78,7 +80,6 @@ bool tangent_affords(const struct stepper *s, const struct state *x)
     const struct tangent *o = s->tangent;
     const long steps = s->missed->steps / (s->kind->adaptive ? OWN_STEPS : STEPS), left = AT_ONCE + steps - o->looks;
     const double spare = smaller(1, (double)left / AT_ONCE);
-    if (o->lost) return false;
     return !o->known || (left > 0 && gone(o, x->t) >= COARSE - (COARSE - 1) * spare);
 }
 
@@ -87,7 +88,6 @@ bool tangent_affords(const struct stepper *s, const struct state *x)
 struct look {
     double t, v, a, M, A, D, excess; /* as in struct tangent */
     double push[2]; /* what time alone has changed of a since the last look, in the first half and in the second */
-    double rough;   /* how unlike these are, relative to accelerations at either look, w v and a */
 };
 
 /* *a := the acceleration at x displaced by dq, dv, as forces are at t. */
@@ -122,18 +122,15 @@ static enum status damping(struct stepper *s, struct look *l, const struct state
     return OK;
 }
 
-/* l->push and l->rough, by accelerations here as forces were at the last look and half way since. */
+/* l->push, by accelerations here as forces were at the last look and half way since. */
 static enum status push(struct stepper *s, struct look *l, const struct state *x)
 {
     const struct tangent *o = s->tangent;
-    const double w = frequency(o);
     double before, half;
     TRY(accelerate(s, &before, x, 0, 0, o->t));
     TRY(accelerate(s, &half, x, 0, 0, (o->t + x->t) / 2));
     l->push[0] = half - before;
     l->push[1] = l->a - half;
-    const double miss = fabs(l->push[1] - l->push[0]), moves = fmax(hypot(w * o->v, o->a), hypot(w * l->v, l->a));
-    l->rough = miss > 0 ? miss / moves : 0;
     return OK;
 }
 
@@ -168,21 +165,55 @@ static double remains(double D, double h)
     return D * h != 0 ? expm1(D * h) / (D * h) : 1;
 }
 
-/* Propagates tau and P to the look l, which is in the same chart. */
-static void go_on(struct tangent *o, const struct look *l)
+/* Mean coefficients between the last look and another one in the same chart. */
+struct way {
+    double h, A, D, undamped; /* undamped: da/dv, where D is 0 */
+};
+
+/* tau and P. */
+static void shift_on(struct tangent *o, const struct look *l, const struct way *c)
 {
-    const double h = l->t - o->t, excess = l->excess - o->excess, w = o->A != 0 ? frequency(o) : 1 / h;
+    const double excess = l->excess - o->excess, w = o->A != 0 ? frequency(o) : 1 / c->h;
     const double a0 = o->a + l->push[0] * l->M / o->M, a = l->a - l->push[1]; /* after one jump, before the other */
     const double norm = a0 * a0 + w * w * o->v * o->v, norm1 = a * a + w * w * l->v * l->v;
     if (!(norm > 0) || !(norm1 > 0)) return;
     double P = o->M * (o->v * o->v_off - a0 * o->q_off), tau = along(o->q_off, o->v_off, o->v, a0, w);
     double x = -a0 / norm, y = w * w * o->v / norm;
-    const double undamped = -log(l->M / o->M) / h, D = (o->D + l->D) / 2; /* da/dv, where D is 0 */
-    flow(&x, &y, (o->A + l->A) / 2, undamped + D, h);
+    flow(&x, &y, c->A, c->undamped + c->D, c->h);
     tau += (P + excess / 2) / o->M * along(x, y, l->v, a, w) + o->late;
-    P = P * exp(h * D) + excess * remains(D, h);
+    P = P * exp(c->h * c->D) + excess * remains(c->D, c->h);
     o->q_off = tau * l->v - P / l->M * a / norm1;
     o->v_off = tau * a + P / l->M * w * w * l->v / norm1;
+}
+
+/* dq and dv as they are, of local errors one half before, the other behind. */
+static void flow_on(struct tangent *o, const struct way *c)
+{
+    double x = o->q_off + o->q_told / 2, y = o->v_off + o->v_told / 2;
+    flow(&x, &y, c->A, c->undamped + c->D, c->h);
+    o->q_off = x + o->q_told / 2;
+    o->v_off = y + o->v_told / 2;
+}
+
+/* How quickly time changes forces: what the jumps of both halves differ by, of accelerations at either look, w v and a; a look by
+ * chance between two pushes does not end it. */
+static double quickness(const struct tangent *o, const struct look *l)
+{
+    const double w = frequency(o), moves = fmax(hypot(w * o->v, o->a), hypot(w * l->v, l->a));
+    const double apart = fabs(l->push[1] - l->push[0]), now = apart < moves ? apart / moves : apart > 0;
+    return larger(now, FADES * o->quick);
+}
+
+/* Propagates the error to the look l, which is in the same chart. */
+static void go_on(struct tangent *o, const struct look *l)
+{
+    const double h = l->t - o->t;
+    const struct way c = {h, (o->A + l->A) / 2, (o->D + l->D) / 2, -log(l->M / o->M) / h};
+    o->quick = quickness(o, l);
+    if (o->quick > QUICK)
+        flow_on(o, &c);
+    else
+        shift_on(o, l, &c);
     o->position = larger(o->position, fabs(o->q_off));
     o->velocity = larger(o->velocity, fabs(o->v_off));
 }
@@ -197,7 +228,7 @@ static void begin(struct tangent *o, const struct look *l)
     o->A = l->A;
     o->D = l->D;
     o->excess = l->excess;
-    o->way = o->late = 0;
+    o->way = o->late = o->q_told = o->v_told = 0;
     o->far = o->apart * o->usual;
     o->next = frequency(o) > 0 ? l->t + o->apart / frequency(o) : INFINITY;
 }
@@ -211,8 +242,6 @@ void tangent_look(struct stepper *s, const struct state *x, double excess, bool 
     s->effort = effort;
     if (!known) return;
     o->looks++;
-    o->rough += l.rough * l.rough;
-    o->lost = o->lost || o->rough > SPARE + ROUGH * (double)o->looks;
     if (o->known && x->t > o->t) go_on(o, &l);
     begin(o, &l);
 }
@@ -228,7 +257,7 @@ void tangent_rechart(struct stepper *s, const struct state *x, double v, double 
     o->known = known;
     if (!known) return;
     const double by = x->v[0] / v, bend = (l.a - by * a) / v;
-    const struct look old = {x->t, v, a, l.M * by * by, o->A, o->D, o->excess, {l.push[0] / by, l.push[1] / by}, 0};
+    const struct look old = {x->t, v, a, l.M * by * by, o->A, o->D, o->excess, {l.push[0] / by, l.push[1] / by}};
     if (x->t > o->t) go_on(o, &old);
     begin(o, &l);
     o->v_off = by * o->v_off + bend * o->q_off;
@@ -254,7 +283,10 @@ void tangent_recall(struct tangent *o, struct recall *r)
     recall_one(r, "position", o->position);
     recall_one(r, "velocity", o->velocity);
     recall_one(r, "way", o->way);
+    recall_one(r, "quick", o->quick);
     recall_one(r, "late", o->late);
+    recall_one(r, "q_told", o->q_told);
+    recall_one(r, "v_told", o->v_told);
     recall_one(r, "t_step", o->t_step);
     recall_one(r, "v_step", o->v_step);
     recall_one(r, "far", o->far);
@@ -263,7 +295,5 @@ void tangent_recall(struct tangent *o, struct recall *r)
     recall_one(r, "seen_position", o->seen_position);
     recall_one(r, "seen_velocity", o->seen_velocity);
     recall_one(r, "looks", o->looks);
-    recall_one(r, "rough", o->rough);
-    recall_one(r, "lost", o->lost);
     recall_without(r);
 }

@@ -14,7 +14,7 @@
  * A force that time itself changes is taken as one that jumps at looks and is constant in between: f changes by (0, da), the
  * error does not, and is taken apart along the new f and g.  What time has changed of the acceleration in the first half of the
  * way from look to look jumps at its start, by the mass there; the rest at its end.  Where looks are too far apart for that, as
- * under a force that is quick beside the motion, nothing is propagated any more.
+ * under a force that is quick beside the motion, (dq, dv) is propagated as it is, with the local errors of steps.
  *
  * A step adds to tau the part of its local error (missed.h) along f, with its sign, and to P its contribution to the
  * residual of the energy balance.  Without works that is no estimate; works bring the errors of their quadrature, which are of the
@@ -33,16 +33,16 @@ struct tangent {
     bool known;                /* there has been a look; of the last one: */
     double t, v, a, M, A, D;   /* time, velocity, acceleration, mass; A = da/dq; D as above, without damping 0 */
     double excess;             /* residual of the energy balance [J] */
+    double quick;              /* how quickly time changes forces there, 0 to 1 (tangent.c) */
     double q_off, v_off;       /* dq, dv */
     double position, velocity; /* largest |dq|, |dv| so far */
     double far, next;      /* displacement after which, time at which the next look is due; INFINITY: by far alone */
-    double way, late;      /* since the last look: displacement, delay added by steps */
+    double way, late;      /* since the last look: displacement, delay added by steps, */
+    double q_told, v_told; /* and their local errors */
     double t_step, v_step; /* end of the last step, velocity there */
     double seen_position, seen_velocity; /* signed sums of missed.h at the last change of these, */
     long told;                           /* after so many steps */
     long looks;                          /* so far */
-    double rough;                        /* sum of squares of what these miss of forces' change by time (tangent.c) */
-    bool lost;                           /* that is too much: errors are not propagated any more */
     double apart;                        /* displacement from look to look, in usual sizes */
     double usual;                        /* size of the coordinate */
     double *q, *u, *b;                   /* [nq], [1], [1] scratch */

@@ -10,7 +10,7 @@
 #include "engine/crossed.h"
 #include "sim/parts.h"
 
-enum { VERSION = 7 }; /* of the spans: another where a run would not go on the same from older ones */
+enum { VERSION = 8 }; /* of the spans: another where a run would not go on the same from older ones */
 
 /* ---- for whom ---- */
 

@@ -75,7 +75,7 @@ static double works(const struct ledger *l)
 static bool follows(const struct sim *sim)
 {
     const struct tangent *tangent = sim->stepper.tangent;
-    return tangent && tangent->known && tangent->looks > 1 && !tangent->lost;
+    return tangent && tangent->known && tangent->looks > 1;
 }
 
 /* The propagated error replaces the sums; false: it does not.  Forces that bend or jump may act only between two looks, which

@@ -12,7 +12,8 @@
 # audit-ball-chain on decks that no factor of the estimate was chosen by.  random:N is the mechanism drawn from that seed
 # (tests/random); what iterations leave is most of the error there.  upright, light-crank and yoke have one freedom, whose errors
 # are followed (engine/tangent.h), as have slow-passage, pushed and the pulsed ones, under forces of time, and
-# leaning and braked, with drag; pulsed-ram by dopri5 at 1e-5 is told 32 times what is found.
+# leaning and braked, with drag; pulsed-ram by dopri5 at 1e-5 is told 32 times what is found.  quick-push and quick-shake are
+# pushed quickly: rk4 by fixed steps is told 250 times too much, and by tolerance its records between steps are off by more.
 cat >"$work/list" <<'LIST'
 andrews           decks/andrews.yaml            dop853
 axle              decks/axle.yaml               dop853
@@ -319,6 +320,32 @@ pulsed-crank      tests/trust/pulsed-crank.yaml dop853  integrate.scheme=dopri5 
 pulsed-crank      tests/trust/pulsed-crank.yaml dop853  integrate.scheme=dop853 integrate.tolerance=1e-6
 pulsed-crank      tests/trust/pulsed-crank.yaml dop853  integrate.scheme=radau5 integrate.tolerance=1e-5
 pulsed-crank      tests/trust/pulsed-crank.yaml dop853  integrate.scheme=radau9 integrate.tolerance=1e-6
+quick-push        tests/trust/quick-push.yaml  dop853  integrate.scheme=midpoint integrate.step=1e-3
+quick-push        tests/trust/quick-push.yaml  dop853  integrate.scheme=newmark integrate.step=1e-3
+quick-push        tests/trust/quick-push.yaml  dop853  integrate.scheme=generalized-alpha integrate.step=1e-3
+?quick-push       tests/trust/quick-push.yaml  dop853  integrate.scheme=rk4 integrate.step=2e-3
+quick-push        tests/trust/quick-push.yaml  dop853  integrate.scheme=newmark integrate.tolerance=1e-4
+quick-push        tests/trust/quick-push.yaml  dop853  integrate.scheme=midpoint integrate.tolerance=1e-5
+?quick-push       tests/trust/quick-push.yaml  dop853  integrate.scheme=rk4 integrate.tolerance=1e-4
+quick-push        tests/trust/quick-push.yaml  dop853  integrate.scheme=subcycle integrate.tolerance=1e-4
+quick-push        tests/trust/quick-push.yaml  dop853  integrate.scheme=dopri5 integrate.tolerance=1e-4
+quick-push        tests/trust/quick-push.yaml  dop853  integrate.scheme=dopri5 integrate.tolerance=1e-7
+quick-push        tests/trust/quick-push.yaml  dop853  integrate.scheme=dop853 integrate.tolerance=1e-6
+quick-push        tests/trust/quick-push.yaml  dop853  integrate.scheme=radau5 integrate.tolerance=1e-5
+quick-push        tests/trust/quick-push.yaml  dop853  integrate.scheme=radau9 integrate.tolerance=1e-6
+quick-shake       tests/trust/quick-shake.yaml dop853  integrate.scheme=midpoint integrate.step=1e-3
+quick-shake       tests/trust/quick-shake.yaml dop853  integrate.scheme=newmark integrate.step=1e-3
+quick-shake       tests/trust/quick-shake.yaml dop853  integrate.scheme=generalized-alpha integrate.step=1e-3
+quick-shake       tests/trust/quick-shake.yaml dop853  integrate.scheme=rk4 integrate.step=2e-3
+quick-shake       tests/trust/quick-shake.yaml dop853  integrate.scheme=newmark integrate.tolerance=1e-4
+quick-shake       tests/trust/quick-shake.yaml dop853  integrate.scheme=midpoint integrate.tolerance=1e-5
+?quick-shake      tests/trust/quick-shake.yaml dop853  integrate.scheme=rk4 integrate.tolerance=1e-4
+quick-shake       tests/trust/quick-shake.yaml dop853  integrate.scheme=subcycle integrate.tolerance=1e-4
+quick-shake       tests/trust/quick-shake.yaml dop853  integrate.scheme=dopri5 integrate.tolerance=1e-4
+quick-shake       tests/trust/quick-shake.yaml dop853  integrate.scheme=dopri5 integrate.tolerance=1e-7
+quick-shake       tests/trust/quick-shake.yaml dop853  integrate.scheme=dop853 integrate.tolerance=1e-6
+quick-shake       tests/trust/quick-shake.yaml dop853  integrate.scheme=radau5 integrate.tolerance=1e-5
+quick-shake       tests/trust/quick-shake.yaml dop853  integrate.scheme=radau9 integrate.tolerance=1e-6
 LIST
 
 errors() { # RUN REFERENCE: "error column", the worst
