@@ -328,27 +328,11 @@ static void sides(const struct ode2 *o, double *side, double *force, const struc
     (void)elements_sides(side, force, s->elements, s->sweep, x);
 }
 
-void open_build(struct open_tree *o, const struct model *m, struct arena *life)
+/* The tree, built, behind the door of ode2.h. */
+static void offer(struct open_tree *o)
 {
-    o->model = m;
-    o->ops = m->space == 2 ? &sweep_planar : &sweep_spatial;
-    o->sweep = o->ops->build(m, FOR_STEPS, NULL, life);
-    o->elements = elements_build(m, o->ops, life);
-    o->diagonal = elements_are_diagonal(o->elements);
-    elastic_build(&o->elastic, m, life);
-    if (o->elastic.n) o->M = TAKE_MATRIX(life, double, m->n, m->n);
-    moves_build(&o->moves, m, life);
-    turns_build(&o->turns, m, &o->moves, life);
-    floating_build(&o->floating, m, o->ops, life);
-    o->d = TAKE(life, double, m->n);
-    o->zero = TAKE(life, double, m->n);
-    o->size = TAKE(life, double, m->n);
-    sizes_fill(o->size, m);
-    o->length = sizes_length(m);
-    o->posture.q = TAKE(life, double, m->nq);
-    o->suspect = TAKE(life, struct effect, m->nforce);
-    open_direct(o, life);
-    bool plain = o->moves.nturn == 0 && o->moves.nfirst == m->n && m->nq == m->n;
+    const struct model *m = o->model;
+    const bool plain = o->moves.nturn == 0 && o->moves.nfirst == m->n && m->nq == m->n;
     o->breaks = (struct ode2_breaks){.next = next_kink, .sides = has_sides};
     o->ode.self = o;
     const double first = next_kink(&o->ode, -INFINITY);
@@ -374,4 +358,27 @@ void open_build(struct open_tree *o, const struct model *m, struct arena *life)
                            .settle = o->floating.n + o->floating.ntumbler ? settle : NULL,
                            .pointwise = o->floating.n == 0 && elements_are_pointwise(o->elements),
                            .self = o};
+}
+
+void open_build(struct open_tree *o, const struct model *m, struct arena *life)
+{
+    o->model = m;
+    o->ops = m->space == 2 ? &sweep_planar : &sweep_spatial;
+    o->sweep = o->ops->build(m, FOR_STEPS, NULL, life);
+    o->elements = elements_build(m, o->ops, life);
+    o->diagonal = elements_are_diagonal(o->elements);
+    elastic_build(&o->elastic, m, life);
+    if (o->elastic.n) o->M = TAKE_MATRIX(life, double, m->n, m->n);
+    moves_build(&o->moves, m, life);
+    turns_build(&o->turns, m, &o->moves, life);
+    floating_build(&o->floating, m, o->ops, life);
+    o->d = TAKE(life, double, m->n);
+    o->zero = TAKE(life, double, m->n);
+    o->size = TAKE(life, double, m->n);
+    sizes_fill(o->size, m);
+    o->length = sizes_length(m);
+    o->posture.q = TAKE(life, double, m->nq);
+    o->suspect = TAKE(life, struct effect, m->nforce);
+    open_direct(o, life);
+    offer(o);
 }

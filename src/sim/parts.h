@@ -190,9 +190,12 @@ void trust_follow(struct sim *sim, struct arena *life);
 /* With each step; with each record. */
 void trust_step(struct sim *sim);
 void trust_note(struct sim *sim);
-/* At the end of the run: errors of the columns, and the estimate from them. */
-void trust_find(struct sim *sim);
 void trust_recall(struct sim *sim, struct recall *r);
+/* The present state and its sums of local errors become the place p; are errors propagated, and have they been? */
+void trust_keep(struct sim *sim, struct trust_place *p);
+bool trust_follows(const struct sim *sim);
+/* trust_find.c: at the end of the run, errors of the columns, and the estimate from them. */
+void trust_find(struct sim *sim);
 /* trust_why.c: why the steps cannot tell, NULL: they can; does any drive or force depend explicitly on time? */
 const char *trust_why(const struct sim *sim);
 bool trust_of_time(const struct sim *sim);

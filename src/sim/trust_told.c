@@ -1,4 +1,4 @@
-/* trust_told.c -- the columns judged by the errors that trust.c has found, and the words for it; see trust.h */
+/* trust_told.c -- the columns judged by the errors that trust_find.c has found, and the words for it; see trust.h */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -176,7 +176,7 @@ void warn_of_trust(struct sim *sim)
              tolerance(sim));
 }
 
-/* Does trust.c take it that errors have grown along the run? */
+/* Does trust_find.c take it that errors have grown along the run? */
 static bool grows(const struct sim *sim)
 {
     return sim->trust.growth * (sim->x.t - sim->scene->start) > TRUST_GROWN;
