@@ -16,8 +16,8 @@
  * way from look to look jumps at its start, by the mass there; the rest at its end.  Where looks are too far apart for that, as
  * under a force that is quick beside the motion, (dq, dv) is propagated as it is, with the local errors of steps.
  *
- * A step adds to tau the part of its local error (missed.h) along f, with its sign, and to P its contribution to the
- * residual of the energy balance.  Without works that is no estimate; works bring the errors of their quadrature, which are of the
+ * A step adds to tau the part of its local error (missed.h) along f, with its sign where that is known, and to P its contribution to
+ * the residual of the energy balance.  Without works that is no estimate; works bring the errors of their quadrature, which are of the
  * scheme's order, too.  Contributions come in evenly between looks, and damping takes its part of them. */
 #ifndef FMDSUB_ENGINE_TANGENT_H
 #define FMDSUB_ENGINE_TANGENT_H
