@@ -210,8 +210,26 @@ static void strains(double *N, const double *S, const double *G)
         }
 }
 
+static const double SHORT = .3;  /* of the elements asked for, and of a hundredth of the beam */
+static const double SLIP = 1e-8; /* of length^2 int ds/EI */
+
+/* Slip [2], along y and z by a force across: 12 EI/h^3 of a short element, as between two places close to each other,
+ * would drown what bends the beam in round-off.  It slips by next to nothing of what the same force bends the beam. */
+static void slip_of_short(double *slip, const struct rod *o)
+{
+    double F[9], B[9];
+    slip[0] = slip[1] = 0;
+    for (int k = 0; k < ROD_GAUSS * (o->nnode - 1); k++) {
+        const int e = k / ROD_GAUSS, g = k % ROD_GAUSS;
+        const double h = o->s[e + 1] - o->s[e], ds = SLIP * o->length * o->length * rod_gauss.w[g] * h;
+        section_give(F, B, o->beam, (o->s[e] + rod_gauss.x[g] * h) / o->length);
+        slip[0] += ds * B[8];
+        slip[1] += ds * B[4];
+    }
+}
+
 /* G = A^-1 T with the flexibility A; zero where A is not positive. */
-static void build_element(struct rod *o, int element)
+static void build_element(struct rod *o, int element, const double *slip)
 {
     struct rod_point *p = o->point + ROD_GAUSS * element;
     double A[36] = {0}, S[ROD_GAUSS][36], *G = o->G + 72 * element, right = o->s[element + 1];
@@ -223,6 +241,8 @@ static void build_element(struct rod *o, int element)
         strain_by_load(S[g], o->beam, p[g].s / o->length, right - p[g].s);
         add_flexibility(A, S[g], right - p[g].s, p[g].ds);
     }
+    if (h * fmax(o->beam->elements, 100) < SHORT * o->length)
+        for (int a = 0; a < 2; a++) A[7 * (a + 1)] += slip[a];
     relative(G, h);
     if (dense_cholesky(A, 6, 6) < 0)
         dense_cholesky_solves(A, G, 6, 6, 12, 6);
@@ -234,13 +254,15 @@ static void build_element(struct rod *o, int element)
 
 void rod_build(struct rod *o, const struct flex_beam *beam, double length, struct arena *life)
 {
+    double slip[2];
     o->beam = beam;
     o->per = beam->space == 2 ? 3 : 6;
     o->length = length;
     mesh(o, beam, life);
     o->point = TAKE(life, struct rod_point, ROD_GAUSS * (o->nnode - 1));
     o->G = TAKE(life, double, 72 * (o->nnode - 1));
-    for (int e = 0; e < o->nnode - 1; e++) build_element(o, e);
+    slip_of_short(slip, o);
+    for (int e = 0; e < o->nnode - 1; e++) build_element(o, e, slip);
 }
 
 /* ---- matrices ---- */

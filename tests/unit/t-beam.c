@@ -259,6 +259,35 @@ static void test_tip_force(void **state)
     arena_close(life);
 }
 
+/* A second place beside one, however close, changes nothing: not what a force at the tip bends, not the first frequency.
+ * As a point, as a joint, as a lump without mass, as a second section in between. */
+static void test_close(void **state)
+{
+    const double apart[] = {1e-2, 1e-3, 3e-4, 1e-4, 3e-5, 1e-5, 1e-6, 1e-7, 2e-9};
+    const double F[3] = {1000, 10, 20};
+    double at[3], u[3], turn[3], q[MOST], first = 0;
+    (void)state;
+    for (int k = 0; k < 4 * 9; k++) {
+        struct arena *life = arena_open();
+        const double e = apart[k / 4], two[] = {0.4, 0.4 + e}, joints[] = {0, 1, 0.4, 0.4 + e};
+        const struct flex_section c[] = {rectangle(0.4, 0.02, 0.01), rectangle(0.4 + e, 0.02, 0.01)};
+        const struct flex_lump lump = {.station = 0.4 + e};
+        struct flex_beam o = bar(3, 2, 10, 4, c, 2, joints);
+        o.npoint = k % 4 == 1 ? 1 : 2, o.point = two;
+        if (k % 4 == 0) o.ninterface = 4, o.npoint = 0;
+        if (k % 4 == 1) o.nlump = 1, o.lump = &lump;
+        if (k % 4 == 2) o.nsection = 2, o.npoint = 0;
+        struct flex_body *body = made(&o, at, life);
+        deflect(u, turn, body, &body->node[1], F, q);
+        near(u[0], F[0] * 2 / (o.E * c->A), 1e-6);
+        near(u[1], F[1] * 8 / (3 * o.E * c->Iz), 1e-6);
+        near(u[2], F[2] * 8 / (3 * o.E * c->Iy), 1e-6);
+        if (k == 3) first = body->hertz[0];
+        if (k > 3 && k % 4) near(body->hertz[0], first, 1e-6);
+        arena_close(life);
+    }
+}
+
 /* A skew beam with lumps: mass, centre, inertia about it, and the elastic mass matrix 1. */
 static void test_rigid(void **state)
 {
@@ -509,7 +538,7 @@ int main(void)
         cmocka_unit_test(test_solid),      cmocka_unit_test(test_ends),           cmocka_unit_test(test_tip_force),
         cmocka_unit_test(test_rigid),      cmocka_unit_test(test_plane_in_space), cmocka_unit_test(test_damping),
         cmocka_unit_test(test_refusals),   cmocka_unit_test(test_kept),           cmocka_unit_test(test_kinds),
-        cmocka_unit_test(test_parts),
+        cmocka_unit_test(test_parts),      cmocka_unit_test(test_close),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
