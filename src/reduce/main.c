@@ -10,6 +10,7 @@
 #include "flex/file.h"
 #include "out/stream.h"
 #include "out/targets.h"
+#include "reduce/material.h"
 #include "reduce/options.h"
 #include "reduce/prestress.h"
 #include "reduce/stress.h"
@@ -58,6 +59,7 @@ static enum status reduce(const struct options *options, struct arena *life, str
     TRY(prestress_read(body, options, &fe, &basis, tie, life, report));
     TRY(stress_make(body, options, &fe, &basis, report));
     summary_print(&fe, &basis, tie, options->quiet, life);
+    material_check(&fe, options, life);
     return put(body, options, &fe, life, report);
 }
 

@@ -45,6 +45,21 @@ expect quiet "0 body 0" "$? $(grep -q '"fmdsub_flex"' "$work/quiet.json" && echo
 reduce -q -i root=root -i tip=tip:average -n 4 --material 7e10,0.3 --stiffening $bar >"$work/stiff.json" 2>"$work/stiff.err"
 expect stiffening "0 1" "$? $(grep -c '"xs"' "$work/stiff.json")" "$work/stiff.err"
 
+# Uniform strains cost what the material says, whatever the mesh: E and nu that are not those of the matrix are warned of.
+material() {
+    material_name=$1 material_count=$2
+    shift 2
+    reduce -q -i root=root -n 3 "$@" $bar >"$work/material.json" 2>"$work/material.err"
+    expect "$material_name" "0 $material_count" \
+        "$? $(grep -c '^warning: the stiffness matrix is in the mean that of E 7e+10, nu 0.3' "$work/material.err")" "$work/material.err"
+}
+material material-fits 0 --material 7e10,0.3 --stress corner=1
+material material-fits-in-mm 0 --material 7e10,0.3 --length 1e-3 --mass 1e3 --stress corner=1
+material material-in-other-units 1 --material 7e7,0.3 --stress corner=1
+material material-in-other-units-in-mm 1 --material 7e7,0.3 --length 1e-3 --mass 1e3 --stress corner=1
+material material-of-another-nu 1 --material 7e10,0.25 --stiffening
+material material-for-nothing 0 --material 7e7,0.3
+
 # All of both bodies, as they were when they were looked at: WRITE=1 writes what comes now.  Their last digits are LAPACK's and
 # so differ between processors, and with them the checksum.
 unsigned() { sed 's/^ "checksum": "[0-9a-f]\{16\}"}$/ "checksum": ""}/' "$1"; }
