@@ -223,6 +223,9 @@ const struct diag_help diag_helps[] = {
     {"W-quaternion", "The quaternion was scaled to length 1."},
     {"W-offset", "The place belongs to the beam's nearest section, or to the nearest node of a body from a file, and "
                  "moves with it as if it were rigid. If it should stand on the axis or on a node, change its place."},
+    {"W-slide", "A slide, a pin in a slot or a nut runs on a straight line that is fixed to one section of the beam, "
+                "that under the joint as drawn, and loads the beam there wherever it runs. That is right for a travel "
+                "that is short beside the beam's length; no joint runs along the beam as it bends."},
     {"W-stiffening", "Without geometric stiffening a beam that turns, or carries loads along its axis, bends too much: "
                      "right for small loads only. From the speed named, that of the body held at its inboard joint "
                      "alone, it bends away without bound, which no real beam does; the energy balance does not show "

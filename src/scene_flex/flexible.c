@@ -19,6 +19,7 @@ enum { MANY = INT_MAX / 2 };
 static const double SAME = 1e-9;  /* stations that are one */
 static const double FAR = 0.1;    /* from the axis, in lengths: more is reported */
 static const double CLOSE = 1e-3; /* from a node, in sizes of the body: more is reported */
+static const double ALONG = 0.5;  /* cosine of what slides along a beam rather than across */
 
 struct stations {
     int n, capacity;
@@ -154,6 +155,23 @@ static void take_joint(struct collecting *c, const double *world, int other, con
     c->held = s;
 }
 
+/* The line of a slide is fixed to one section and straight: it does not follow how the beam bends elsewhere. */
+static void warn_of_slide(const struct collecting *c, const struct scene_joint *j)
+{
+    const struct draft *o = c->b->draft[c->body];
+    bool along = false;
+    int slides = 0;
+    for (int a = 0; o && a < 3; a++) {
+        if (!joint_slide(j->kind, a)) continue;
+        slides++;
+        along = along || fabs(v3_dot(j->E + 3 * a, o->beam.R)) >= ALONG;
+    }
+    if (!along || slides == c->b->scene->space) return;
+    diag_warn(c->b->diags, j->node, AT_KEY, "W-slide",
+              "joint '%s' slides along beam '%s', but on a straight line of its section at station %.3g", j->name,
+              c->b->scene->body[c->body].name, foot_station(c, j->from));
+}
+
 /* The station that holds the beam comes first. */
 static void lead(struct stations *o, double s)
 {
@@ -171,6 +189,7 @@ static void collect(struct collecting *c)
     for (int i = 0; i < s->njoint; i++) {
         const struct scene_joint *j = &s->joint[i];
         if (j->nterm) continue;
+        if (j->first == c->body) warn_of_slide(c, j);
         if (j->first == c->body) take_joint(c, j->from, j->second, j);
         if (j->second == c->body) take_joint(c, j->at, j->first, j);
     }

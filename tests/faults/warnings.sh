@@ -70,6 +70,19 @@ warned "a beam that does not stiffen and may turn" "$beam" "^--set:1:23: warning
 warned "a beam that does not stiffen, clamped" "$(echo "$beam" | sed 's/revolute/fixed/')" "loads along the beam will not stiffen or soften it \[W-stiffening\]" 'bodies.arm.stiffening=false'
 warned "in segments it is said once" "$(echo "$beam" | sed 's/modes: 2/modes: 1, segments: 3/; s/ground, arm/ground, arm1/')" "body 'arm': linear beam buckles" 'bodies.arm.stiffening=false'
 warned "a beam's density in kg/mm3" "$beam" "density of 7.85e-06 kg/m3" 'bodies.arm.material={E: 2.1e+5, density: 7.85e-6}'
+runner='fmdsub: 1
+bodies:
+  arm: {beam: {from: [0, 0], to: [2, 0]}, section: {rectangle: [0.02, 0.01]}, material: steel, modes: 2}
+  box: {mass: 0.1, inertia: 0.001, at: [0.5, 0]}
+constraints:
+  root: {fixed: [ground, arm], at: [0, 0]}
+  rail: {prismatic: [arm, box], at: [0.5, 0], axis: [1, 0]}
+integrate: {scheme: midpoint, step: 1.0e-3, until: 0.01}'
+warned "what runs along a beam" "$runner" "^deck.yaml:7:3: warning: joint 'rail' slides along beam 'arm', but on a straight line of its section at station 0.25 \[W-slide\]"
+warned "a pin in its slot" "$runner" "joint 'slot' slides along beam 'arm'" 'constraints.rail={free: [ground, box]}' 'constraints.slot={point-on-line: [arm, box], at: [0.5, 0], axis: [1, 1]}'
+silent "what slides across a beam" "$runner" 'constraints.rail.axis=[0, 1]'
+silent "a beam that slides" "$runner" 'constraints.root={fixed: [ground, box]}' 'constraints.rail={prismatic: [box, arm], at: [0.5, 0], axis: [1, 0]}'
+silent "a pin that is free to go anywhere" "$runner" 'constraints.rail={planar: [arm, box]}'
 driven='fmdsub: 1
 bodies:
   arm: {mass: 1, inertia: 1, at: [1, 0]}
