@@ -17,6 +17,7 @@ struct builder {
     struct draft **draft;          /* [nbody] flexible bodies that are still to be made; NULL: not one */
     const struct node *space_from; /* the vector or key that decided 2-D or 3-D */
     unsigned unheard;              /* effects (effect_bit()) against which the deck may say what it likes */
+    unsigned denied;               /* those that `effects` turns off, heard or not */
 };
 
 /* keys of `orient` */

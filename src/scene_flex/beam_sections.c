@@ -180,6 +180,21 @@ bool gives_shear(const struct node *n)
     return false;
 }
 
+static bool knows_factors(const struct node *n)
+{
+    if (n->type == NODE_MAP)
+        return gives_shear(n) || node_find(n, "rectangle") || node_find(n, "circle") || node_find(n, "tube");
+    bool all = n->type == NODE_LIST;
+    for (int i = 0; all && i < n->count; i++) all = n->item[i]->type == NODE_MAP && knows_factors(n->item[i]);
+    return all;
+}
+
+bool knows_shear(const struct node *section, const struct node *material)
+{
+    return section && material && knows_factors(section) &&
+           (material->type == NODE_SCALAR || node_find(material, "nu") || node_find(material, "G"));
+}
+
 int read_sections(struct builder *b, struct draft *o, const struct beam_body_keys *k, const struct node *n,
                   const char *what)
 {

@@ -61,8 +61,10 @@ static int read_axis(struct builder *b, struct scene_body *body, struct draft *o
     const struct node *sections = k->section ? k->section : k->sections;
     o->beam.elements = a.elements;
     const bool given = sections && gives_shear(sections), shear = a.shear >= 0 ? a.shear : given;
+    const bool denied = a.shear == 0 || b->denied & effect_bit(EFFECT_SHEAR);
     o->rotary = wants_effect(b, k->beam, "rotary", EFFECT_ROTARY, a.rotary, true);
-    o->shear = wants_effect(b, k->beam, "shear", EFFECT_SHEAR, shear, given);
+    o->shear =
+        wants_effect(b, k->beam, "shear", EFFECT_SHEAR, shear, given || (denied && knows_shear(sections, k->material)));
     return read_axes(b, body, o, &a, what);
 }
 

@@ -68,6 +68,8 @@ int read_sections(struct builder *b, struct draft *o, const struct beam_body_key
                   const char *what);
 /* Does a section of these give shear factors?  Then they count. */
 bool gives_shear(const struct node *n);
+/* Could it count: are there factors, given or of a shape, and a shear modulus? */
+bool knows_shear(const struct node *section, const struct node *material);
 
 /* plausible.c: a beam that looks like other units */
 void warn_of_beam(struct builder *b, const struct draft *o, const struct node *material, const struct node *beam,

@@ -19,6 +19,10 @@ void read_effects(struct builder *b, const struct node *n)
     b->scene->effects_node = n;
     if (n && read_keys(o, keys_effects, n, NULL, "'effects'", &b->reader)) return;
     take_share(b);
-    for (int i = 0; i < EFFECTS; i++)
-        if (b->unheard & effect_bit((enum effect_id)i) && o->wish[i] == WISH_OFF) o->wish[i] = WISH_AUTO;
+    for (int i = 0; i < EFFECTS; i++) {
+        const unsigned bit = effect_bit((enum effect_id)i);
+        if (o->wish[i] != WISH_OFF) continue;
+        b->denied |= bit;
+        if (b->unheard & bit) o->wish[i] = WISH_AUTO;
+    }
 }

@@ -48,6 +48,19 @@ expect "an end at another time is a change" 1 "$(grep -c "left out: gravity: abo
 expect "a body's own key is watched, too" 1 "$(grep -c 'left out: stiffening: about' "$work/err")" "$work/err"
 "$FMDSUB" run -s bodies.arm.beam.rotary=false -s effects.rotary=true -s integrate.until=1 "$deck" >"$work/out" 2>"$work/err"
 expect "also where it goes before" 1 "$(grep -c 'left out: rotary: about' "$work/err")" "$work/err"
+# Shear, which counts by default where its factors are given: turned off, by either key, it is watched where they are known.
+shear() { # NAME COUNT ARGUMENTS
+    shear_name=$1 shear_count=$2
+    shift 2
+    "$FMDSUB" run -s integrate.until=0.1 "$@" decks/cantilever.yaml >"$work/out" 2>"$work/err"
+    expect "$shear_name" "0 wrote $shear_count" "$? $(wrote "$work/out") $(grep -c 'left out: shear: about' "$work/err")" "$work/err"
+}
+shear "shear of a shape, off by the body's key" 1 -s bodies.arm.beam.shear=false
+shear "off by the deck's" 1 -s effects.shear=false
+shear "off by default" 0 -s title=x
+shear "off by the deck's, on by the body's" 0 -s effects.shear=false -s bodies.arm.beam.shear=true
+shear "of numbers without factors it is not known" 0 -s effects.shear=false -s 'bodies.arm.section={area: 3.0e-4, Iz: 2.5e-9, y: 0.005}'
+shear "of a material without nu neither" 0 -s effects.shear=false -s 'bodies.arm.material={E: 2.1e+11, density: 7850}'
 # On bodies in loops, which records do not watch.
 "$FMDSUB" run -s effects.stiffening=false -s integrate.until=0.01 decks/flexible-crank.yaml >"$work/out" 2>"$work/err"
 expect "and bodies in loops" 1 "$(grep -c 'left out: stiffening: about .* by a second run' "$work/err")" "$work/err"
