@@ -8,18 +8,18 @@ const struct key keys_beam_body[] = {
     PARAM_NODE(struct beam_body_keys, section, "section", "map", 0, "cross-section, the same all along"),
     PARAM_NODE(struct beam_body_keys, sections, "sections", "[{station: s, ...}, ...]", 0,
                "cross-sections from station 0 to 1: two of one shape change by their sizes, others by area and "
-               "moments, linear "
-               "between them, and so is the twist"),
+               "moments, linear between them, and so is the twist; two at one station between the ends make a step"),
     PARAM_NODE(struct beam_body_keys, material, "material", "name or map", KEY_REQUIRED,
                "steel, stainless, aluminium, titanium, magnesium, brass, or its constants"),
     PARAM_COUNT(
         struct beam_body_keys, modes, "modes", 1, 200, "auto", 0, "6",
         "elastic coordinates kept; auto: as many as the deck's loads, motions and columns ask for, to the tolerance "
         "of 'effects' (1.0e-3); each further joint than the first adds its freedoms (2-D: 3, 3-D: 6)"),
-    PARAM_INT(struct beam_body_keys, segments, "segments", 1, 100, 0, "1",
-              "for large bending: cut into bodies NAME1, NAME2, ... held together by fixed joints NAME_1, NAME_2, ...; "
-              "stations, elements, points and their columns are of the whole: "
-              "bending is seen from the part that carries the others"),
+    PARAM_INT(
+        struct beam_body_keys, segments, "segments", 1, 100, 0, "1",
+        "for large bending: cut into bodies NAME1, NAME2, ... held together by fixed joints NAME_1, NAME_2, ...; "
+        "stations, elements, points and their columns are of the whole: bending is seen from the part that carries "
+        "the others; stresses are columns of the part that has their station, such as NAME1.s.bending"),
     PARAM_NODE(struct beam_body_keys, damping, "damping", "{alpha: a, beta: b} or {ratio: z}", 0,
                "of the material; default: none"),
     PARAM_NODE(struct beam_body_keys, masses, "masses", "{name: {station: s, mass: m}}", 0,

@@ -36,10 +36,13 @@ static double between(double x, double y, double part)
     return x + part * (y - x);
 }
 
-static struct flex_section section_at(const struct flex_beam *beam, double station)
+/* behind: of a step there the far side, else the near one. */
+static struct flex_section section_at(const struct flex_beam *beam, double station, bool behind)
 {
     int i = 0;
-    while (i + 2 < beam->nsection && beam->section[i + 1].station < station) i++;
+    while (i + 2 < beam->nsection &&
+           (beam->section[i + 1].station < station || (behind && beam->section[i + 1].station == station)))
+        i++;
     const struct flex_section *s = &beam->section[i];
     struct flex_section o;
     section_between(&o, s, s + 1, (station - s[0].station) / (s[1].station - s[0].station));
@@ -52,10 +55,10 @@ static void cut_sections(struct draft *o, const struct flex_beam *whole, struct 
     struct flex_section *s = TAKE(life, struct flex_section, whole->nsection + 2);
     int n = 0;
     if (whole->nsection == 1) return;
-    s[n++] = section_at(whole, o->from);
+    s[n++] = section_at(whole, o->from, true);
     for (int i = 0; i < whole->nsection; i++)
         if (whole->section[i].station > o->from && whole->section[i].station < o->to) s[n++] = whole->section[i];
-    s[n++] = section_at(whole, o->to);
+    s[n++] = section_at(whole, o->to, false);
     for (int i = 0; i < n; i++) s[i].station = station_in(o, i == 0 ? o->from : i == n - 1 ? o->to : s[i].station);
     o->beam.section = s;
     o->beam.nsection = n;
