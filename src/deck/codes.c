@@ -118,7 +118,8 @@ const struct diag_help diag_helps[] = {
      "a measure; a gear ties two different ones. Rates and elastic coordinates cannot stand for it."},
     /* the scene: bodies, joints, forces */
     {"E-no-bodies", "A scene needs a body besides the ground."},
-    {"E-same-body", "Both ends are on one body: nothing moves between them. The world is called ground."},
+    {"E-same-body", "Both ends are on one body: nothing moves between them, but between two places of a "
+                    "flexible one. The world is called ground."},
     {"E-shape", "A shape is one of box, cylinder, rod, sphere, tube."},
     {"E-flexible", "The file is not a reduced body as fmdsub-reduce writes it, or it was changed since."},
     {"E-material",

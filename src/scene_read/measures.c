@@ -54,10 +54,19 @@ static int measure_axis(struct builder *b, struct scene_measure *m, const struct
     return 0;
 }
 
+/* Two points of one rigid body, or one of a flexible one: others of it move as it bends. */
+static bool keep_apart(const struct builder *b, const struct scene_measure *m)
+{
+    const int body = m->a.body;
+    if (body != m->b.body) return false;
+    const bool bends = b->draft[body] || b->scene->body[body].flex;
+    return !bends || memcmp(m->a.p, m->b.p, sizeof m->a.p) == 0;
+}
+
 static int refuse_zero_distance(struct builder *b, const struct scene_measure *m, const struct node *n,
                                 const char *what)
 {
-    if (m->a.body == m->b.body) {
+    if (keep_apart(b, m)) {
         diag_error(b->diags, n, AT_VALUE, "E-same-body", "%s: both points are fixed on '%s'", what,
                    b->scene->body[m->a.body].name);
         return 1;
