@@ -23,13 +23,11 @@ const struct rod_gauss rod_gauss = {
 
 /* ---- mesh ---- */
 
-static const double SAME = 1e-9; /* stations nearer than this are one */
-
 static void insert(double *list, int *n, double x)
 {
     int k = 0;
-    while (k < *n && list[k] < x - SAME) k++;
-    if (k < *n && list[k] <= x + SAME) return;
+    while (k < *n && list[k] < x - ROD_SAME) k++;
+    if (k < *n && list[k] <= x + ROD_SAME) return;
     memmove(list + k + 1, list + k, (size_t)(*n - k) * sizeof *list);
     list[k] = x;
     ++*n;
@@ -267,8 +265,7 @@ void rod_build(struct rod *o, const struct flex_beam *beam, double length, struc
 
 /* ---- matrices ---- */
 
-/* Freedom k of an element, of twelve, in the mesh; -1: held by the plane. */
-static int freedom(const struct rod *o, int element, int k)
+int rod_freedom(const struct rod *o, int element, int k)
 {
     static const int flat[6] = {0, 1, -1, -1, -1, 2};
     int node = element + k / 6, own = o->per == 6 ? k % 6 : flat[k % 6];
@@ -289,7 +286,7 @@ static void add_stiffness(struct band *K, const struct rod *o, int element)
     relative(T, o->s[element + 1] - o->s[element]);
     for (int j = 0; j < 12; j++)
         for (int i = j; i < 12; i++) {
-            int a = freedom(o, element, i), b = freedom(o, element, j);
+            int a = rod_freedom(o, element, i), b = rod_freedom(o, element, j);
             if (a >= 0 && b >= 0) *band_at(K, a, b) += dot(T + 6 * i, G + 6 * j, 6);
         }
 }
@@ -302,7 +299,7 @@ static void add_mass(struct band *M, const struct rod *o, int element, const str
         double h[3];
         m3_mul(h, p->I, right + ROD_THETA);
         for (int i = j; i < 12; i++) {
-            int a = freedom(o, element, i), b = freedom(o, element, j);
+            int a = rod_freedom(o, element, i), b = rod_freedom(o, element, j);
             const double *left = p->N + 12 * i;
             if (a >= 0 && b >= 0)
                 *band_at(M, a, b) += p->ds * (p->m * v3_dot(left, right) + v3_dot(left + ROD_THETA, h));
@@ -328,93 +325,4 @@ void rod_matrices(struct band *K, struct band *M, const struct rod *o, const dou
     for (int k = 0; k < ROD_GAUSS * (o->nnode - 1); k++) add_mass(M, o, k / ROD_GAUSS, &o->point[k]);
     for (int k = 0; k < beam->nlump; k++)
         add_lump(M, o, rod_node(o, beam->lump[k].station), beam->lump[k].mass, inertia + 9 * k);
-}
-
-/* ---- fields ---- */
-
-/* W [12 x n] = N times the rows of Phi that belong to the element. */
-static void apply(double *W, const double *N, const struct rod *o, int element, const double *Phi, int n)
-{
-    int size = o->nnode * o->per;
-    memset(W, 0, (size_t)(12 * n) * sizeof *W);
-    for (int j = 0; j < n; j++)
-        for (int k = 0; k < 12; k++) {
-            int a = freedom(o, element, k);
-            double q = a < 0 ? 0 : Phi[a + (long)size * j];
-            for (int i = 0; q != 0 && i < 12; i++) W[i + 12 * j] += N[i + 12 * k] * q;
-        }
-}
-
-void rod_at_point(double *W, const struct rod *o, int point, const double *Phi, int n)
-{
-    apply(W, o->point[point].N, o, point / ROD_GAUSS, Phi, n);
-}
-
-void rod_at_node(double *W, const struct rod *o, int node, const double *Phi, int n)
-{
-    int size = o->nnode * o->per, element = node < o->nnode - 1 ? node : node - 1, first = 6 * (node - element);
-    memset(W, 0, (size_t)(12 * n) * sizeof *W);
-    for (int j = 0; j < n; j++)
-        for (int k = 0; k < 6; k++) {
-            int a = freedom(o, element, first + k);
-            if (a >= 0) W[k + 12 * j] = Phi[a + (long)size * j];
-        }
-}
-
-/* Where the pull may jump, or ends: joints, places of loads, masses. */
-static bool loaded(const struct rod *o, int node)
-{
-    const struct flex_beam *beam = o->beam;
-    if (node == 0 || node == o->nnode - 1) return true;
-    for (int i = 0; i < beam->ninterface; i++)
-        if (rod_node(o, beam->interface[i]) == node) return true;
-    for (int i = 0; i < beam->npoint; i++)
-        if (rod_node(o, beam->point[i]) == node) return true;
-    for (int i = 0; i < beam->nlump; i++)
-        if (rod_node(o, beam->lump[i].station) == node) return true;
-    return false;
-}
-
-static double middle(const struct rod *o, int element)
-{
-    return (o->s[element] + o->s[element + 1]) / 2;
-}
-
-/* The element across the nearer node that carries no load, else across the other; -1: none. */
-static int neighbour(const struct rod *o, int element, double s)
-{
-    int nearer = s < middle(o, element) ? -1 : 1;
-    for (int side = nearer, k = 0; k < 2; k++, side = -side)
-        if (!loaded(o, side < 0 ? element : element + 1)) return element + side;
-    return -1;
-}
-
-/* Row of force and moment at the right end of an element. */
-static double load(const struct rod *o, int element, int row, const double *phi)
-{
-    double sum = 0;
-    for (int k = 0; k < 12; k++) {
-        int a = freedom(o, element, k);
-        if (a >= 0) sum += o->G[72 * element + 6 * k + row] * phi[a];
-    }
-    return sum;
-}
-
-/* Forces and torque of an element are its means; from middle to middle they are taken as linear. */
-void rod_forces(double *Q, const struct rod *o, double station, const double *Phi, int n)
-{
-    double s = station * o->length, share = 0;
-    int e = 0, size = o->nnode * o->per;
-    while (e < o->nnode - 2 && o->s[e + 1] <= s + SAME * o->length) e++;
-    const int other = neighbour(o, e, s);
-    const double arm = o->s[e + 1] - s;
-    if (other >= 0) share = (s - middle(o, e)) / (middle(o, other) - middle(o, e));
-    for (int j = 0; j < n; j++) {
-        const double *phi = Phi + (long)size * j;
-        double *q = Q + 6 * j;
-        for (int i = 0; i < 6; i++) q[i] = load(o, e, i, phi);
-        q[4] -= arm * q[2];
-        q[5] += arm * q[1];
-        for (int i = 0; other >= 0 && i < 4; i++) q[i] += share * (load(o, other, i, phi) - q[i]);
-    }
 }

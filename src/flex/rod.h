@@ -18,6 +18,7 @@
 #include "la/band.h"
 
 enum { ROD_GAUSS = 5 };
+static const double ROD_SAME = 1e-9; /* of the length: stations nearer to each other are one */
 /* Rows of fields: displacement r, rotation theta, strains Gamma and kappa, three each. */
 enum { ROD_R = 0, ROD_THETA = 3, ROD_GAMMA = 6, ROD_KAPPA = 9 };
 
@@ -48,6 +49,9 @@ struct rod {
 void rod_build(struct rod *o, const struct flex_beam *beam, double length, struct arena *life);
 /* Node at a station that the mesh has taken in. */
 int rod_node(const struct rod *o, double station);
+
+/* Freedom k of an element, of twelve, in the mesh; -1: held by the plane. */
+int rod_freedom(const struct rod *o, int element, int k);
 
 /* Numbers of the section there. */
 void rod_section(struct flex_section *o, const struct flex_beam *beam, double station);
