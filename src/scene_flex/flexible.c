@@ -50,6 +50,7 @@ struct collecting {
     struct builder *b;
     int body;
     struct stations interfaces, points;
+    struct stations far; /* of a place far from the axis, or its node's number: it has been told */
     const int *away; /* [nbody] joints to the ground: joints_away() */
     int nearest;     /* of the bodies that its joints lead to; INT_MAX: none has been met */
     double held;     /* station of the joint that leads there */
@@ -70,7 +71,8 @@ static void consider_node(struct collecting *c, const double *world, const struc
     const struct scene_body *body = &c->b->scene->body[c->body];
     double offset[3];
     int node = scene_node(offset, body, world);
-    if (v3_norm(offset) <= CLOSE * size_of(body)) return;
+    if (v3_norm(offset) <= CLOSE * size_of(body) || holds(&c->far, node)) return;
+    take_station(&c->far, node, c->b->life);
     const char *name = body->flex->node[node].name;
     diag_warn(c->b->diags, at, AT_KEY, "W-offset",
               "a place %.3g m from the nearest node of '%s', %s: it carries it rigidly", v3_norm(offset), body->name,
@@ -94,7 +96,8 @@ static double foot(struct collecting *c, const double *world, const struct node 
     double d[3];
     v3_diff(d, world, o->beam.a);
     v3_axpy(d, -s * o->length, o->beam.R);
-    if (v3_norm(d) > FAR * o->length) {
+    if (v3_norm(d) > FAR * o->length && !holds(&c->far, s)) {
+        take_station(&c->far, s, c->b->life);
         diag_warn(c->b->diags, at, AT_KEY, "W-offset",
                   "a place %.3g m from the axis of beam '%s': the section at station %.3g carries it rigidly",
                   v3_norm(d), c->b->scene->body[c->body].name, s);

@@ -66,6 +66,9 @@ integrate: {scheme: midpoint, step: 1.0e-3, until: 0.01}'
 silent "nothing to warn of, a beam" "$beam"
 silent "a joint beside the beam's axis" "$beam" 'constraints.pin.at=[0, 0.19]'
 warned "a joint far from the beam's axis" "$beam" "^deck.yaml:4:15: warning: a place 0.5 m from the axis of beam 'arm': the section at station 0 .* \[W-offset\]" 'constraints.pin.at=[-0.5, 0]'
+warned "a place that is used thrice, once" "$(echo "$beam" | sed 's/modes: 2/&, points: {p: {station: 0.5, offset: [0, 0.3]}}/')
+measures: {d: {distance: [arm.p, [1, 2]]}}
+forces: {f: {force: arm.p, value: [0, 1]}}" "a place 0.3 m from the axis of beam 'arm': the section at station 0.5 .* \[W-offset\]"
 warned "a beam that does not stiffen and may turn" "$beam" "^--set:1:23: warning: body 'arm': linear beam buckles from Omega = [0-9.]* rad/s; turn on geometric stiffening \[W-stiffening\]" 'bodies.arm.stiffening=false'
 warned "a beam that does not stiffen, clamped" "$(echo "$beam" | sed 's/revolute/fixed/')" "loads along the beam will not stiffen or soften it \[W-stiffening\]" 'bodies.arm.stiffening=false'
 warned "in segments it is said once" "$(echo "$beam" | sed 's/modes: 2/modes: 1, segments: 3/; s/ground, arm/ground, arm1/')" "body 'arm': linear beam buckles" 'bodies.arm.stiffening=false'
