@@ -227,6 +227,11 @@ const struct diag_help diag_helps[] = {
     {"W-slide", "A slide, a pin in a slot or a nut runs on a straight line that is fixed to one section of the beam, "
                 "that under the joint as drawn, and loads the beam there wherever it runs. That is right for a travel "
                 "that is short beside the beam's length; no joint runs along the beam as it bends."},
+    {"W-shear",
+     "A beam that is not slender bends by shear, too: the share told is that of a force at the end of the beam held at "
+     "the other, across where it bends most easily; of vibrations it is more, as their waves are shorter. Beams have "
+     "shear where "
+     "'shear: true' stands beside their ends, or 'effects: {shear: true}' in the deck, or sections give ky, kz."},
     {"W-stiffening", "Without geometric stiffening a beam that turns, or carries loads along its axis, bends too much: "
                      "right for small loads only. From the speed named, that of the body held at its inboard joint "
                      "alone, it bends away without bound, which no real beam does; the energy balance does not show "

@@ -133,10 +133,12 @@ static int read_shape(struct builder *b, struct flex_section *s, struct draft *o
 static void note_stout(struct draft *o, const struct flex_section *s, bool spatial)
 {
     const double I[2] = {s->Iz, spatial ? s->Iy : 0}, kappa[2] = {s->ky, s->kz};
+    const int soft = spatial && I[1] < I[0];
     for (int i = 0; i < 2; i++) {
         const double r = I[i] / (s->A * o->length * o->length), sheared = o->beam.E / (kappa[i] * o->beam.G) * r;
         if (isfinite(r)) o->stout[0] = fmax(o->stout[0], r);
         if (isfinite(sheared)) o->stout[1] = fmax(o->stout[1], sheared);
+        if (i == soft && isfinite(sheared)) o->sheared = fmax(o->sheared, sheared);
     }
 }
 

@@ -65,6 +65,7 @@ static int read_axis(struct builder *b, struct scene_body *body, struct draft *o
     o->rotary = wants_effect(b, k->beam, "rotary", EFFECT_ROTARY, a.rotary, true);
     o->shear =
         wants_effect(b, k->beam, "shear", EFFECT_SHEAR, shear, given || (denied && knows_shear(sections, k->material)));
+    o->unasked = !o->shear && a.shear < 0 && b->scene->effects.wish[EFFECT_SHEAR] == WISH_AUTO;
     return read_axes(b, body, o, &a, what);
 }
 

@@ -51,9 +51,9 @@ struct collecting {
     int body;
     struct stations interfaces, points;
     struct stations far; /* of a place far from the axis, or its node's number: it has been told */
-    const int *away; /* [nbody] joints to the ground: joints_away() */
-    int nearest;     /* of the bodies that its joints lead to; INT_MAX: none has been met */
-    double held;     /* station of the joint that leads there */
+    const int *away;     /* [nbody] joints to the ground: joints_away() */
+    int nearest;         /* of the bodies that its joints lead to; INT_MAX: none has been met */
+    double held;         /* station of the joint that leads there */
 };
 
 /* How large a body from a file is: its nodes, and its mass, may stand in one place, but not both. */

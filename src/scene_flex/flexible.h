@@ -53,9 +53,11 @@ struct draft {
     struct flex_beam beam;
     bool round;               /* sections are circles: corners lie on them */
     bool shear, rotary;       /* as the deck wants them */
+    bool unasked;             /* it says nothing of shear, which then is off */
     bool wrong;               /* and that was reported: no stress is judged by its sections */
     double length;            /* [m] */
     double stout[2];          /* see struct scene_body */
+    double sheared;           /* the second of these where it bends most easily */
     double centre;            /* station of the centre of mass */
     const struct node *modes; /* where the deck gives their number; NULL: it does not */
     bool choose;              /* it does not, but wants them by evidence */

@@ -69,6 +69,16 @@ warned "a joint far from the beam's axis" "$beam" "^deck.yaml:4:15: warning: a p
 warned "a place that is used thrice, once" "$(echo "$beam" | sed 's/modes: 2/&, points: {p: {station: 0.5, offset: [0, 0.3]}}/')
 measures: {d: {distance: [arm.p, [1, 2]]}}
 forces: {f: {force: arm.p, value: [0, 1]}}" "a place 0.3 m from the axis of beam 'arm': the section at station 0.5 .* \[W-offset\]"
+stocky=$(echo "$beam" | sed 's/0.02, 0.01/0.02, 0.4/')
+warned "a stocky beam without shear" "$stocky" "^deck.yaml:3:[0-9]*: warning: body 'arm': shear, which is off, would add 3.1 % to how a force at its end bends it \[W-shear\]"
+warned "a stocky one in segments, once" "$(echo "$stocky" | sed 's/modes: 2/modes: 1, segments: 3/; s/ground, arm/ground, arm1/')" W-shear
+silent "a stocky beam with shear" "$stocky" bodies.arm.beam.shear=true
+silent "one that is not to have it" "$stocky" bodies.arm.beam.shear=false
+silent "one in a scene with shear" "$stocky" 'effects={shear: true}'
+panel=$(echo "$beam" | sed 's/\[0, 0\], to: \[2, 0\]/[0, 0, 0], to: [2, 0, 0]/; s/at: \[0, 0\]/at: [0, 0, 0], axis: [0, 0, 1]/')
+warned "one in space, stocky across both" "$panel" W-shear 'bodies.arm.section.rectangle=[0.4, 0.4]'
+silent "a panel, stocky across its width alone" "$panel" 'bodies.arm.section.rectangle=[0.4, 0.01]'
+silent "a slender beam" "$beam" 'bodies.arm.section.rectangle=[0.02, 0.3]'
 warned "a beam that does not stiffen and may turn" "$beam" "^--set:1:23: warning: body 'arm': linear beam buckles from Omega = [0-9.]* rad/s; turn on geometric stiffening \[W-stiffening\]" 'bodies.arm.stiffening=false'
 warned "a beam that does not stiffen, clamped" "$(echo "$beam" | sed 's/revolute/fixed/')" "loads along the beam will not stiffen or soften it \[W-stiffening\]" 'bodies.arm.stiffening=false'
 warned "in segments it is said once" "$(echo "$beam" | sed 's/modes: 2/modes: 1, segments: 3/; s/ground, arm/ground, arm1/')" "body 'arm': linear beam buckles" 'bodies.arm.stiffening=false'
