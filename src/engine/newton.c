@@ -252,17 +252,6 @@ static double rate_of(const struct newton *nt, double err, double square)
     return square > 0 && nt->square > 0 ? smaller(theta, sqrt(square / nt->square)) : theta;
 }
 
-/* Of pairs: what may be left in the norm of energy, against that of the motion. */
-static double of_steps(const struct newton *nt)
-{
-    return nt->tol * (nt->tolerance > 0 ? 1 : nt->steps);
-}
-
-bool newton_may_leave(const struct newton *nt, double share)
-{
-    return share / (1 - share) * nt->norm <= of_steps(nt);
-}
-
 /* What is left in the norm of energy, against that of the motion: the step gains or loses twice that share of its energy
  * at most, dE = v . M dv <= |v| |dv|, so that the drift of a run is bounded.  A step that is worth several may leave what
  * they would; no coordinate is left far more than its own tolerance.  Works are those before the correction, off by as large a
@@ -271,7 +260,7 @@ static int little_energy(struct newton *nt, double square)
 {
     if (nt->energy <= 0) return 0;
     const int first = nt->count == 1;
-    const double norm = sqrt(fabs(square) / nt->energy), tol = of_steps(nt);
+    const double norm = sqrt(fabs(square) / nt->energy), tol = nt->tol * (nt->tolerance > 0 ? 1 : nt->steps);
     const double theta = larger(nt->leaves, contraction_after(&nt->norms[nt->way], first ? 1 : norm / nt->norm, 0));
     nt->norm = norm;
     if (!(theta < 1) || !(theta / (1 - theta) * norm <= (first ? UNSEEN : 1) * tol)) return 0;

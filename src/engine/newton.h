@@ -96,8 +96,6 @@ void newton_begin(struct newton *nt, double local);
 /* err: largest correction against its scale; small: the same without scale; square: energy of the
  * correction at the instant x. */
 enum verdict newton_judge(struct newton *nt, double err, double small, double square, const struct instant *x);
-/* Of pairs: would `share` of the last correction's error be little enough to be left, in the norm of energy? */
-bool newton_may_leave(const struct newton *nt, double share);
 /* Looks at the energy scale, v . M v at x, when that is due; two evaluations then, not counted. */
 void newton_energy(struct newton *nt, const struct instant *x);
 /* The matrix was formed anew. */

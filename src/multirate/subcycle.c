@@ -53,6 +53,7 @@
 
 static const double AT_REST =
     1e-3; /* of the largest velocity scale: what is slower counts as at rest in the energy norm */
+static const double LEAVES = .2; /* a coarse sweep that comes third leaves this part of the error, at least */
 
 enum { LEAST_CAPACITY = 64, SWEEPS = 16 };
 
@@ -168,7 +169,7 @@ static enum status sweep(struct subcycle *c, enum verdict *verdict, struct troub
     c->coarse.on &= !moved;
     TRY(rows(c, why));
     subcycle_slow_rows(c);
-    c->newton.leaves = c->coarse.on && c->newton.count > 1 ? COARSE_LEAVES : 0;
+    c->newton.leaves = c->coarse.on && c->newton.count > 1 ? LEAVES : 0;
     *verdict = judge(c);
     return OK;
 }

@@ -71,9 +71,6 @@ struct last_step {
 };
 
 enum { COARSE_POINTS = 3 };
-/* What a coarse sweep leaves: as the third one, of the error before it, at least; as the second one, of its own correction
- * between its points. */
-static const double COARSE_LEAVES = .2;
 
 /* subcycle_coarse.c: sweeps that evaluate only a few minor steps. */
 struct coarse {
