@@ -338,7 +338,7 @@ void make_flexible(struct builder *b)
     if (diags_errors(b->diags)) return; /* half a deck would make other bodies */
     const int *away = joints_away(b);
     for (int i = 1; i < b->scene->nbody; i++) {
-        struct collecting c = {.b = b, .body = i};
+        struct collecting c = {.b = b, .body = i, .away = away};
         if (b->draft[i] && b->scene->body[i].node != failed) {
             if (make(b, i, away)) failed = b->scene->body[i].node;
         } else if (b->scene->body[i].flex) {
