@@ -252,6 +252,11 @@ static double rate_of(const struct newton *nt, double err, double square)
     return square > 0 && nt->square > 0 ? smaller(theta, sqrt(square / nt->square)) : theta;
 }
 
+double newton_contraction(const struct newton *nt)
+{
+    return nt->count > 2 && nt->first > 0 ? pow(nt->last / nt->first, 1. / (nt->count - 1)) : 0;
+}
+
 /* What is left in the norm of energy, against that of the motion: the step gains or loses twice that share of its energy
  * at most, dE = v . M dv <= |v| |dv|, so that the drift of a run is bounded.  A step that is worth several may leave what
  * they would; no coordinate is left far more than its own tolerance.  Works are those before the correction, off by as large a

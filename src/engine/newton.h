@@ -96,6 +96,8 @@ void newton_begin(struct newton *nt, double local);
 /* err: largest correction against its scale; small: the same without scale; square: energy of the
  * correction at the instant x. */
 enum verdict newton_judge(struct newton *nt, double err, double small, double square, const struct instant *x);
+/* What each iteration of the step has left of the corrections, in the mean; 0 where there were no more than two. */
+double newton_contraction(const struct newton *nt);
 /* Looks at the energy scale, v . M v at x, when that is due; two evaluations then, not counted. */
 void newton_energy(struct newton *nt, const struct instant *x);
 /* The matrix was formed anew. */

@@ -10,9 +10,11 @@
 
 /* Limbs without fast coordinates share no inertia with these: their part of M_LL serves the iteration alone.  Where they hold
  * most of the bodies it is kept until a slow coordinate has moved by FAR of a usual change, or by SHORTER of the way after which a
- * step took a third sweep for one of theirs, if that was beyond NEAR; each step it may be LONGER.  (tests/bench/arms takes as many
- * sweeps with up to .17 as with a new one in each step; a chain of forty links that falls, a third one from .02 on.) */
-static const double FEW_OF_ALL = 1. / 3, FAR = .04, NEAR = .0025, SHORTER = .75, LONGER = 1.05;
+ * step asked for new matrices, or took a third sweep for one of theirs, if that was beyond NEAR or sweeps left more than SLOWLY
+ * of their corrections; each step it may be LONGER.  (tests/bench/arms takes as many sweeps with up to .17 as with a new one in
+ * each step; a chain of forty links that falls, a third one from .02 on.) */
+static const double FEW_OF_ALL = 1. / 3, FAR = .04, NEAR = .0025, LEAST = 1e-5, SHORTER = .75, LONGER = 1.05;
+static const double SLOWLY = .03;
 
 enum { SMALL = 12 };                   /* coordinates up to which full matrices are no slower than structured ones */
 enum { FORMED = 12, WITH_ZEROS = 64 }; /* M_f is formed for so many coordinates of fast bodies, of so many in all */
@@ -46,12 +48,14 @@ void decouple_open(struct decouple *p, const struct ode2 *ode, struct effort *ef
     p->a = TAKE(life, double, n);
     if (p->structured) p->F = arena_take(life, 1, direct->factor_size);
     p->limbs = p->structured ? direct->limbs : 1;
+    p->far = FAR;
     if (p->limbs < FEW_OF_ALL) p->there = TAKE(life, double, ode->nq);
 }
 
 void decouple_dense(struct decouple *p)
 {
     p->structured = 0;
+    p->lags = false;
 }
 
 /* C [ns x ns] += s A' B; for two fast coordinates in one pass. */
@@ -103,32 +107,39 @@ static double moved(const struct decouple *p, const double *q)
     return most;
 }
 
-static enum status factor(struct decouple *p, const struct instant *x, bool whole, struct trouble *why)
+static enum status factor(struct decouple *p, const struct instant *x, enum others others, struct trouble *why)
 {
-    p->moved = p->there && !whole ? moved(p, x->q) : INFINITY;
-    p->lags = p->moved <= p->far;
-    p->effort->slow += !p->lags;
-    TRY(p->ode->direct->stiffen(p->ode, p->F, p->none, x->q, x->t, p->lags ? LIMBS : ALL, why));
-    if (p->there && !p->lags) copy(p->there, x->q, p->ode->nq);
+    const bool left = p->there && others == LEFT;
+    if (!left) {
+        p->moved = p->there && others == WHERE_FAR ? moved(p, x->q) : INFINITY;
+        p->lags = p->moved <= p->far;
+    }
+    const bool whole = !left && !p->lags;
+    p->effort->slow += whole;
+    TRY(p->ode->direct->stiffen(p->ode, p->F, p->none, x->q, x->t, whole ? ALL : LIMBS, why));
+    if (p->there && whole) copy(p->there, x->q, p->ode->nq);
     return OK;
 }
 
-void decouple_solved(struct decouple *p, int count, int worst)
+void decouple_failed(struct decouple *p)
 {
-    const bool slower = p->lags && p->moved > NEAR && count > 2 && worst >= p->ns + p->ml;
-    p->far = slower ? SHORTER * p->moved : smaller(FAR, LONGER * p->far);
+    if (p->lags) p->far = larger(LEAST, SHORTER * p->moved);
 }
 
-void decouple_forget(struct decouple *p)
+void decouple_solved(struct decouple *p, int count, int worst, double rate)
 {
-    p->far = FAR;
+    const bool slower = count > 2 && worst >= p->ns + p->ml && (p->moved > NEAR || rate > SLOWLY);
+    if (p->lags && slower)
+        decouple_failed(p);
+    else
+        p->far = smaller(FAR, LONGER * p->far);
 }
 
-static enum status by_structure(struct decouple *p, const struct instant *x, bool whole, struct trouble *why)
+static enum status by_structure(struct decouple *p, const struct instant *x, enum others others, struct trouble *why)
 {
     const struct ode2_direct *direct = p->ode->direct;
     int ns = p->ns, nl = p->nl;
-    TRY(factor(p, x, whole, why));
+    TRY(factor(p, x, others, why));
     for (int j = 0; j < ns; j++) {
         zero(p->z, p->n);
         p->z[j] = 1;
@@ -292,10 +303,10 @@ void decouple_recall(struct decouple *p, struct recall *r)
     recall_without(r);
 }
 
-enum status decouple_at(struct decouple *p, const struct instant *x, bool whole, struct trouble *why)
+enum status decouple_at(struct decouple *p, const struct instant *x, enum others others, struct trouble *why)
 {
     p->effort->fast++;
-    if (p->structured && by_structure(p, x, whole, why) != OK) decouple_dense(p);
+    if (p->structured && by_structure(p, x, others, why) != OK) decouple_dense(p);
     p->effort->slow += !p->structured;
     if (!p->structured) TRY(by_matrix(p, x, why));
     return p->reach ? slow_share(p, x, why) : OK;

@@ -111,12 +111,16 @@ struct decouple {
 };
 
 void decouple_open(struct decouple *p, const struct ode2 *ode, struct effort *effort, struct arena *life);
-/* W, M~_SS, M_s W and W' M_s W at x (q, v, t).  whole: with M_LL of limbs without fast coordinates, which only the
- * iteration feels; else that stays as it is until these have moved far. */
-enum status decouple_at(struct decouple *p, const struct instant *x, bool whole, struct trouble *why);
-/* A step was solved by `count` iterations; in the last one coordinate `worst` was corrected most. */
-void decouple_solved(struct decouple *p, int count, int worst);
-void decouple_forget(struct decouple *p);
+/* What becomes of M_LL of limbs without fast coordinates, which only the iteration feels: made anew; so where these have moved
+ * far; left as it is. */
+enum others { ANEW, WHERE_FAR, LEFT };
+/* W, M~_SS, M_s W and W' M_s W at x (q, v, t). */
+enum status decouple_at(struct decouple *p, const struct instant *x, enum others others, struct trouble *why);
+/* A step was solved by `count` iterations, of which each left `rate` of the corrections; in the last one coordinate `worst` was
+ * corrected most. */
+void decouple_solved(struct decouple *p, int count, int worst, double rate);
+/* It does not converge, or asks for new matrices. */
+void decouple_failed(struct decouple *p);
 /* What limbs keep from step to step. */
 void decouple_recall(struct decouple *p, struct recall *r);
 /* From now on M^ is formed, whatever structure its owner has. */

@@ -233,7 +233,6 @@ static void forget(struct subcycle *c)
     c->coarse.rest = 0;
     c->coarse.missed = c->coarse.whole = 0;
     c->last_local = -1;
-    decouple_forget(&c->dec);
 }
 
 static void begin(struct subcycle *c, const struct state *x, double h, int ratio, double to)
@@ -270,6 +269,7 @@ static enum status two_rates(struct subcycle *c, struct stepper *s, struct state
     enum status status = attempt(c, why);
     if (status != OK && c->newton.refreshed == 0) { /* with old factors: once more with fresh ones */
         c->newton.stale = 1;
+        decouple_failed(&c->dec);
         status = subcycle_centre(c, &s->options, true, why);
         if (status == OK) status = attempt(c, why);
     }

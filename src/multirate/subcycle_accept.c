@@ -64,7 +64,7 @@ enum status subcycle_accept(struct subcycle *c, struct stepper *s, struct state 
     if (c->direct) subcycle_end(c);
     if (isnan(c->qn[0])) return no_end(c, why);
     remember(c);
-    decouple_solved(&c->dec, c->newton.count, c->newton.worst);
+    decouple_solved(&c->dec, c->newton.count, c->newton.worst, newton_contraction(&c->newton));
     subcycle_resolve(c, s);
     subcycle_last_keep(c);
     if (c->looked) subcycle_error_measure(c, s->missed != NULL);

@@ -23,7 +23,8 @@ static enum status move(struct subcycle *c, double t, struct trouble *why)
 {
     copy(c->qcentre, c->qbar, c->ode->nq);
     decouple_recoil(&c->dec, c->du, -1, c->dsum);
-    TRY(subcycle_decouple(c, c->qcentre, t, false, why));
+    const enum others others = response_factors(&c->resp, &c->dec) ? LEFT : WHERE_FAR; /* it has a factor of its own */
+    TRY(subcycle_decouple(c, c->qcentre, t, others, why));
     decouple_recoil(&c->dec, c->du, 1, c->dsum);
     return OK;
 }
@@ -49,8 +50,8 @@ enum status subcycle_centre(struct subcycle *c, const struct step_options *optio
     double t = c->t0;
     const bool ahead = options->stage && !fresh && foreseen(c, &t);
     if (ahead) copy(c->qcentre, c->qbar, c->ode->nq);
-    const bool whole = fresh || subcycle_refresh_due(c) || c->ratio * c->dec.limbs > DEAR;
-    TRY(subcycle_decouple(c, ahead ? c->qcentre : c->q0, ahead ? t : c->t0, whole, why));
+    const bool anew = fresh || subcycle_refresh_due(c) || c->ratio * c->dec.limbs > DEAR;
+    TRY(subcycle_decouple(c, ahead ? c->qcentre : c->q0, ahead ? t : c->t0, anew ? ANEW : WHERE_FAR, why));
     const bool recoils = c->dec.reach > 0 || c->alpha > 0; /* else W is nothing at either end */
     c->follows = options->symmetric && recoils && options->stage;
     c->again = options->symmetric && recoils && !options->stage;

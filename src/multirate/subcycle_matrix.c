@@ -33,11 +33,11 @@ static enum status damping(struct subcycle *c, struct trouble *why)
     return OK;
 }
 
-enum status subcycle_decouple(struct subcycle *c, const double *q, double t, bool whole, struct trouble *why)
+enum status subcycle_decouple(struct subcycle *c, const double *q, double t, enum others others, struct trouble *why)
 {
     const long slow = c->effort->slow, fast = c->effort->fast;
     c->centre = (struct instant){.t = t, .q = q, .v = c->v0, .ta = t, .tb = t};
-    TRY(decouple_at(&c->dec, &c->centre, whole, why));
+    TRY(decouple_at(&c->dec, &c->centre, others, why));
     subcycle_spent(c, SPENT_ON_MATRICES, slow, fast);
     copy(c->u0, c->v0 + c->ns, c->nl);
     decouple_recoil(&c->dec, c->u0, 1, c->v0);
@@ -50,7 +50,7 @@ static enum status slow_matrix(struct subcycle *c, struct trouble *why)
     enum status status = response_slow(&c->resp, &c->dec, c->centre.q, c->centre.t, why);
     if (status == OK || !c->dec.structured) return status;
     decouple_dense(&c->dec);
-    TRY(subcycle_decouple(c, c->centre.q, c->centre.t, true, why));
+    TRY(subcycle_decouple(c, c->centre.q, c->centre.t, ANEW, why));
     response_masses(&c->resp, &c->dec);
     return response_slow(&c->resp, &c->dec, c->centre.q, c->centre.t, why);
 }
@@ -87,7 +87,8 @@ enum status subcycle_refresh(struct subcycle *c, struct trouble *why)
     struct minor *m = &p->one;
     struct instant x = {.t = c->t0, .q = c->q0, .v = c->v0, .a = c->a0, .ta = c->t0, .tb = c->t0};
     c->effort->factors++;
-    if (c->dec.lags) TRY(subcycle_decouple(c, c->centre.q, c->centre.t, true, why));
+    decouple_failed(&c->dec);
+    if (c->dec.lags) TRY(subcycle_decouple(c, c->centre.q, c->centre.t, ANEW, why));
     m->h = p->h = c->h;
     p->H = c->H;
     p->ratio = c->ratio;

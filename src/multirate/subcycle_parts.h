@@ -165,8 +165,8 @@ struct subcycle {
 
 /* --- matrices ----------------------------------------------------------------------------------- */
 
-/* W, P and u0 at q (S1); whole: as decouple_at() has it. */
-enum status subcycle_decouple(struct subcycle *c, const double *q, double t, bool whole, struct trouble *why);
+/* W, P and u0 at q (S1); others: as decouple_at() has it. */
+enum status subcycle_decouple(struct subcycle *c, const double *q, double t, enum others others, struct trouble *why);
 /* Are all matrices due at the start of the step? */
 bool subcycle_refresh_due(const struct subcycle *c);
 /* All matrices at the start of the step. */
