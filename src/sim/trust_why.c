@@ -30,7 +30,9 @@ static const char *too_few(const struct sim *sim)
     enum { FEW = 8, OFTEN = 8 };
     const struct effort *e = &sim->stepper.effort;
     if (!sim->stepper.kind->adaptive && OFTEN * e->rejected > e->majors)
-        return "too many steps were not to be had at their length, and were cut";
+        return sim->plan.ratio > 1
+                   ? "too many major steps did not converge at their length and were cut: a lower ratio takes less"
+                   : "too many steps did not converge at their length, and were cut";
     if (sim->stepper.missed->steps < FEW) return "the run has too few steps";
     return "too few steps lie between corners of forces or drives";
 }

@@ -214,7 +214,7 @@ mid='mid: {revolute: [bob, rod], at: [2, 0]}'
 { printf "$pin" 'p: {bushing: [ground, bob], at: [0, 0], stiffness: [1.0e+12, 1.0e+12]}' ', scheme: subcycle, ratio: 10'
     echo "constraints: {f: {free: [ground, bob]}, $mid}"; echo 'partition: {fast: [mid]}'; } >"$work/cut.yaml"
 words 'friction acts in joints' 'friction in joints' "$work/rub.yaml"
-words 'too many steps were not to be had at their length, and were cut' 'steps cut' "$work/cut.yaml"
+words 'too many major steps did not converge at their length and were cut: a lower ratio takes less' 'steps cut' "$work/cut.yaml"
 words 'the run has too few steps' 'few steps' -s integrate.scheme=midpoint -s integrate.order=4 -s integrate.until=0.003 -s output.every=0.001 "$deck"
 
 # A mass between two stops that a force shakes: past six strikes that are unlike each other nothing is told of how far it
