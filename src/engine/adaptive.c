@@ -238,7 +238,7 @@ static enum status own_step(struct stepper *s, double *t, double end, int *passe
     struct adaptive *m = s->self;
     const double least = 16 * DBL_EPSILON * fmax(fabs(*t), fabs(end)), way = end > *t ? 1 : -1;
     struct aim o = {.end = end, .left = fabs(end - *t)};
-    m->jumps = false;
+    m->jumps = 0;
     if (m->relay && relay_next(s, m, *t)) TRY(slopes_here(s, *t, why));
     for (;;) {
         double err = 0;

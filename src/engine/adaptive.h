@@ -61,7 +61,7 @@ struct adaptive {
     double beyond;        /* the trial's part of an edge: see edge.h */
     bool leaps;           /* it goes over a jump, in a step that is so short that its error does not matter */
     double held;          /* next step before a jump was in the way; 0: none was */
-    bool jumps;           /* a trial of this step met one */
+    int jumps;            /* trials of this step that met one */
     long nshort;          /* steps in a row that are far shorter for it */
     struct creep creep;   /* those that have led how far */
     long rejected;        /* steps given up in this H */

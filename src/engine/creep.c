@@ -11,7 +11,7 @@ static bool stays(struct adaptive *m)
 {
     enum { MOST = 1000 };
     static const double SHORT = .01;
-    m->nshort = fabs(m->came) < SHORT * m->held ? m->nshort + m->jumps : 0;
+    m->nshort = fabs(m->came) < SHORT * m->held ? m->nshort + (m->jumps > 0) : 0;
     return m->nshort > MOST;
 }
 

@@ -42,19 +42,21 @@ static double shorter(double x)
 }
 
 /* A jump, or several, in a trial of that error: over it, where that may be, or close before it.  By
- * what accelerations change is known what one jump does, not several. */
+ * what accelerations change is known what one jump does, not several.  Where two trials have ended close before it
+ * and the next one, of a large error, finds it at its end again, it is too long to tell where a jump is. */
 static double leap(const struct stepper *s, struct adaptive *m, const struct edge *edge, double err)
 {
     static const double PART = .01 /* of the tolerance, for each */, SURE = .9, ROOM = 2, APART = 1e-6, NEAR = .01,
-                        MOST = 10;
+                        MOST = 10, END = .9;
     const double own = edge_error(s, m, 1) / PART, x = edge->at, last = edge->last;
-    m->jumps = true;
+    const bool again = m->jumps > 1 && x > END && err > MOST;
+    m->jumps++;
     if (m->held == 0) m->held = m->h;
     if (last > x + APART) return x > NEAR ? close_before(x) : x + (last - x) / 2;
     m->leaps = own <= 1 && err <= MOST;
     m->beyond = m->leaps;
     if (m->leaps) return 1;
-    if (own <= 1) return .5;
+    if (own <= 1 || again) return .5;
     return SURE / own > ROOM * x ? SURE / own : close_before(x);
 }
 
