@@ -181,6 +181,7 @@ static void go_on(struct adaptive *m)
 struct aim {
     double end, left; /* where steps end at the latest, [s] up to there */
     double h, came;   /* [s] that are asked for, that it came */
+    double least;     /* [s] that t can tell, with some of its round-off to spare */
     bool last, cut;   /* it ends there; it is shorter than its error asks for */
     int shy;          /* times that records have asked for a shorter one */
 };
@@ -221,7 +222,7 @@ static enum status accept(struct stepper *s, const struct aim *o, double *t, dou
         if (!m->jumps) m->held = 0; /* it is not in the way */
         if (m->beyond > 0) forget(m);
         const double grow = m->scheme->grow(m, err);
-        if ((!o->cut && o->came == o->h) || grow < 1) m->h = o->came * grow;
+        if ((!o->cut && o->came == o->h) || grow < 1) m->h = larger(o->came * grow, o->least);
         m->old = fmax(err, 1e-4);
     }
     *t = at;
@@ -236,8 +237,8 @@ static enum status own_step(struct stepper *s, double *t, double end, int *passe
 {
     enum { MOST_PASSED = 4, MOST_REJECTED = 100000 };
     struct adaptive *m = s->self;
-    const double least = 16 * DBL_EPSILON * fmax(fabs(*t), fabs(end)), way = end > *t ? 1 : -1;
-    struct aim o = {.end = end, .left = fabs(end - *t)};
+    const double round_off = DBL_EPSILON * fmax(fabs(*t), fabs(end)), least = 16 * round_off, way = end > *t ? 1 : -1;
+    struct aim o = {.end = end, .left = fabs(end - *t), .least = 2 * round_off};
     m->jumps = 0;
     if (m->relay && relay_next(s, m, *t)) TRY(slopes_here(s, *t, why));
     for (;;) {
@@ -257,7 +258,7 @@ static enum status own_step(struct stepper *s, double *t, double end, int *passe
         const double cut_to = status == OK && o.h > least ? edge_cut(s, m, *t, err, share) : 1;
         if (cut_to < 1) {
             (void)m->scheme->shrink(m, larger(err, 1)); /* it is given up */
-            m->h = larger(cut_to * o.came, least / 8);  /* no shorter than t can tell */
+            m->h = larger(cut_to * o.came, o.least);
             s->effort.rejected++;
             continue;
         }
