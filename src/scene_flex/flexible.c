@@ -304,19 +304,20 @@ static enum status stiffened(const struct flex_body **full, const struct flex_be
     return OK;
 }
 
-static int make(struct builder *b, int index, const int *away)
+static int make(struct collecting *c)
 {
+    struct builder *b = c->b;
+    const int index = c->body;
     struct scene_body *body = &b->scene->body[index];
     struct draft *o = b->draft[index];
-    struct collecting c = {.b = b, .body = index, .away = away};
     struct flex_body *flex;
     struct report report = {0};
-    collect(&c);
-    only_points(&c);
-    o->beam.ninterface = c.interfaces.n;
-    o->beam.interface = c.interfaces.at;
-    o->beam.npoint = c.points.n;
-    o->beam.point = c.points.at;
+    collect(c);
+    only_points(c);
+    o->beam.ninterface = c->interfaces.n;
+    o->beam.interface = c->interfaces.at;
+    o->beam.npoint = c->points.n;
+    o->beam.point = c->points.at;
     const struct flex_chosen *chosen = NULL;
     if ((o->choose && pick_modes(&chosen, b, index, &report) != OK) ||
         flex_beam_make(&flex, body->origin, &o->beam, b->life, &report) != OK) {
@@ -340,7 +341,7 @@ void make_flexible(struct builder *b)
     for (int i = 1; i < b->scene->nbody; i++) {
         struct collecting c = {.b = b, .body = i, .away = away};
         if (b->draft[i] && b->scene->body[i].node != failed) {
-            if (make(b, i, away)) failed = b->scene->body[i].node;
+            if (make(&c)) failed = b->scene->body[i].node;
         } else if (b->scene->body[i].flex) {
             collect(&c);
             pick_coordinates(b, i);

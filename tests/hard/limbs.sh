@@ -2,7 +2,7 @@
 # unlike hang on each other that the iteration would pay for it: there at most 5 percent more sweeps than with all anew in each
 # step, 3345.
 . tests/tools/lib.sh
-stat() { awk -v key="$1" '$1 == key { print $2 }' "$work/stats"; }
+few() { awk -v key="$1" -v most="$2" '$1 == key { n = $2 } END { print (n > 0 && n <= most ? "few" : n) }' "$work/stats"; }
 falls() { # HEAVY SWEEPS SLOW: at most so many
     "$FMDSUB" run -q --stats="$work/stats" --set parameters.heavy="$1" - >"$work/out" 2>"$work/err" <<'YAML'
 fmdsub: 1
@@ -24,8 +24,7 @@ output: {every: 0.1, columns: [a20.y, pe2.angle]}
 YAML
     ended "a falling chain, two links of $1 kg: status" 0 $? "$work/out" "$work/err"
     expect "a falling chain, two links of $1 kg: sweeps, evaluations of slow bodies" "few few" \
-        "$(awk -v n="$(stat sweeps)" -v most="$2" 'BEGIN { print (n > 0 && n <= most ? "few" : n) }') $(
-            awk -v n="$(stat slow_evaluations)" -v most="$3" 'BEGIN { print (n > 0 && n <= most ? "few" : n) }')" "$work/err"
+        "$(few sweeps "$2") $(few slow_evaluations "$3")" "$work/err"
 }
 falls 1.0e+4 3512 5576
 falls 1 1900 2300
